@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "base/philox.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/polygon.h"
 #include "measure.h"
 #include "trace/hit_intervals.h"

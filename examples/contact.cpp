@@ -23,8 +23,8 @@ int main() {
   for (const fr::Contact& contact : contacts)
     std::printf("from t = %.17g to t = %.17g\n", contact.first, contact.last);
 
-  return contacts[0].kind == fr::Meeting::through && contacts[0].first == 7.0 / 3.0 &&
-                 contacts[0].last == 5 && contacts[1].kind == fr::Meeting::touch &&
+  return contacts[0].kind == fr::HitClass::through && contacts[0].first == 7.0 / 3.0 &&
+                 contacts[0].last == 5 && contacts[1].kind == fr::HitClass::touch &&
                  contacts[1].first == 4 && contacts[1].last == 4
              ? 0
              : 1;

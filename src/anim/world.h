@@ -12,8 +12,9 @@ struct SurfaceOwner {
   enum class Kind : std::uint8_t { entity, chamber, pillar } kind;
   std::uint32_t index;   ///< entity; chamber
   std::uint32_t pillar;  ///< of the chamber; 0 for what is no pillar
-  /// Of the shape as given; the number of a lone segment; of arcs and the lines that join them, in
-  /// turn; kNoEdge for a circle.
+  /// The number of the edge in the shape as given; lone segments, and Bezier curves after them, are
+  /// counted from 0, and so are the arcs of a path with the lines that join them; kNoEdge for a
+  /// circle.
   std::int32_t edge;
   Material material;              ///< of an entity without one: absorbs
   std::uint32_t hole = kNoEntry;  ///< of the chamber: what of the edge is this hole
@@ -42,7 +43,7 @@ struct World {
   std::vector<Material> materials() const;
 };
 
-/// What does each wall of a world do with light, by surface; nullptr: its material says all.
+/// What each wall of a world does with light, by surface; nullptr: its material says all.
 std::vector<const Scatterer*> scatterers_of(const Scene& scene, const World& world);
 
 /// The whole curve of an arc in the world; one of a circle stays a circle.
@@ -65,8 +66,9 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
 /// the world.
 ///
 /// Gives   entities, then chambers each with its pillars; of a shape its edges, its lone segments,
-///         its circles, its arcs with what joins them. Edges run counter-clockwise. Edges that share a vertex in the shape share
-///         its doubles in the world.
+///         its Bezier curves, its circles, its arcs with the lines that join them. Edges run
+///         counter-clockwise. Edges that share a vertex in the shape share its doubles in the
+///         world.
 /// Cost    O(n log n) edges for shapes of several pieces, else O(n).
 World build_world(const Scene& scene, const FrameState& state, WorldOf of = WorldOf::mirrors);
 

@@ -18,7 +18,7 @@ struct Verb {
   const char* examples;   ///< lines of `flatray help VERB`, "" for none
   const char* undone;     ///< what a failure leaves: "nothing rendered", "" for nothing to say
   Words words = nullptr;  ///< what the first operand may be, where that is a list of names
-  /// What a run that is stopped leaves to go on from; null: nothing, and it is stopped at once.
+  /// What a stopped run leaves for another to go on from; null: nothing, so it is stopped at once.
   const char* kept = nullptr;
 };
 

@@ -15,8 +15,8 @@ namespace flatray {
 
 }  // namespace flatray
 
-/// Our own invariants, in every build; never for bad input. Extra arguments are a message with the
-/// values.
+/// Checks an invariant of our own, in every build; never bad input. A second argument is a message
+/// with the values.
 #define FLATRAY_CHECK(condition, ...) \
   (static_cast<bool>(condition)       \
        ? void()                       \

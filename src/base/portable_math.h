@@ -1,8 +1,8 @@
 #pragma once
 
 /// The transcendental functions that may reach a decision or a pixel: the same bits on every
-/// machine, tier and compiler, at most 1 ulp from the true value. Angles in radians. `sqrt` is
-/// exact everywhere and not here.
+/// machine, tier and compiler, at most 1 ulp from the true value. Angles in radians. `sqrt` is not
+/// among them: every machine rounds it correctly.
 ///
 /// Source  SLEEF's purec functions without fused multiply-add. A test forbids <cmath>'s elsewhere.
 namespace flatray::portable {

@@ -15,7 +15,8 @@ struct Table {
 
   std::vector<std::string> columns;  ///< none: rows without a head
   std::vector<Values> rows;
-  /// Makes rows that are too many to be kept, in order and the same each time, after those that are.
+  /// Makes the rows that are too many to be kept, which follow `rows`: in order, the same each
+  /// time.
   std::function<void(const EachRow&)> made{};
 
   Table() = default;

@@ -33,9 +33,10 @@ struct ContactFeature {
 /// When two closed bodies have a point in common.
 struct Contact {
   /// Units   t as velocities count it.
-  /// Gives   touch for one instant, along where they touch for a while without a common inner
-  ///         point, through where they overlap; `start` tells whether they are apart (outside), touch
-  ///         (boundary) or overlap (inside) at t = 0. Edges are kNoEdge.
+  /// Gives   touch for one instant, and where they touch without relative motion; along where they
+  ///         touch for a while without a common inner point; through where they overlap. `start`
+  ///         tells whether they are apart (outside), touch (boundary) or overlap (inside) at t = 0.
+  ///         Edges are kNoEdge.
   HitInterval times;
   ContactFeature first, last;  ///< at t_enter and t_exit, where those lie within the range
 
@@ -50,7 +51,7 @@ const char* contact_name(StartPlace start);
 /// Needs   finite coordinates, velocities and radii.
 /// Gives   the interior of the pair is that of A - B, also for shapes without area. Without relative
 ///         motion the verdict is that of the start, for the whole range.
-/// Error   verdict, class and start exact for the doubles given; t within 1 ulp.
+/// Error   verdict, class and start exact for the doubles given; t is the nearest double.
 /// Cost    linear in the vertices: two predicates each and a division for each end, about 1 us; some
 ///         us where one has a radius.
 /// Source  one clip of the relative velocity against the Minkowski difference of the cores, grown by both radii.

@@ -6,7 +6,7 @@
 
 #include "collide/broad_phase.h"
 #include "geom/box_tree.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/polygon_edges.h"
 
 namespace flatray {

@@ -41,9 +41,9 @@ bool any_look(const Scene& scene, std::uint32_t entity, const Is& is) {
   return false;
 }
 
-class Search {
+class MeetingFinder {
  public:
-  Search(const Timeline& timeline, Outline outline, unsigned threads, MeetingLimits limits)
+  MeetingFinder(const Timeline& timeline, Outline outline, unsigned threads, MeetingLimits limits)
       : timeline_(timeline),
         scene_(timeline.scene()),
         outline_(outline),
@@ -248,7 +248,7 @@ bool rests(const Scene& scene, std::uint32_t entity) {
 Result<std::vector<Meeting>> find_meetings(const Timeline& timeline, unsigned last_frame,
                                            Outline outline, unsigned threads,
                                            MeetingLimits limits) {
-  Search search(timeline, outline, threads, limits);
+  MeetingFinder search(timeline, outline, threads, limits);
   search.run(last_frame);
   return std::move(search).found();
 }

@@ -20,8 +20,8 @@ Contact contact_of(const flatray::Contact& met) {
   const HitInterval& times = met.times;
   return {times.t_enter,
           times.t_exit,
-          static_cast<Meeting>(times.kind),
-          static_cast<Place>(times.start),
+          static_cast<HitClass>(times.kind),
+          static_cast<StartPlace>(times.start),
           times.enter_overflows,
           times.exit_overflows,
           feature_of(met.first),

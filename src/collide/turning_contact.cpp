@@ -54,9 +54,9 @@ class BoxPair {
 };
 
 template <class Pair>
-class Search {
+class ContactFinder {
  public:
-  Search(Pair pair, double length, double width)
+  ContactFinder(Pair pair, double length, double width)
       : pair_(std::move(pair)), length_(length), width_(width) {}
 
   TurningContact run(double from) {
@@ -141,7 +141,7 @@ class Search {
 template <class Pair>
 TurningContact contact_of(const Pair& pair, const RigidMotion& a, double length, double width,
                           bool backwards, double from) {
-  TurningContact found = Search<Pair>(pair, length, width).run(from);
+  TurningContact found = ContactFinder<Pair>(pair, length, width).run(from);
   const double time = backwards ? length - found.first.low : found.first.low;
   found.place.point = found.place.point / pair.scale() + a.at(time);
   if (backwards) found.first = {length - found.first.high, length - found.first.low};
@@ -157,7 +157,7 @@ TurningContact turning_contact(const TurningBody& a, const TurningBody& b, doubl
 
 std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from,
                                       double length, double width) {
-  return Search(TurningPair(a, b, length, false), length, width).parting(from);
+  return ContactFinder(TurningPair(a, b, length, false), length, width).parting(from);
 }
 
 TurningContact turning_contact(const TurningParts& a, const TurningParts& b, double length,
@@ -167,7 +167,7 @@ TurningContact turning_contact(const TurningParts& a, const TurningParts& b, dou
 
 std::optional<double> turning_parting(const TurningParts& a, const TurningParts& b, double from,
                                       double length, double width) {
-  return Search(BoxPair(a, b, length, false), length, width).parting(from);
+  return ContactFinder(BoxPair(a, b, length, false), length, width).parting(from);
 }
 
 }  // namespace flatray

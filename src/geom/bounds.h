@@ -20,7 +20,7 @@ struct Bounds {
     return low.x() <= point.x() && point.x() <= high.x() && low.y() <= point.y() &&
            point.y() <= high.y();
   }
-  /// Whether they share a point: an empty one with none that is finite.
+  /// Whether both have a point in common. An empty box meets no finite one.
   bool meets(const Bounds& other) const {
     return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&
            other.low.y() <= high.y();

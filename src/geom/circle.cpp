@@ -1,5 +1,5 @@
+#include "geom/clip.h"
 #include "geom/clip_range.h"
-#include "geom/cyrus_beck.h"
 
 namespace flatray {
 

@@ -9,8 +9,8 @@
 #include <array>
 #include <span>
 
+#include "geom/clip.h"
 #include "geom/clip_range.h"
-#include "geom/cyrus_beck.h"
 #include "geom/exact_hit.h"
 
 namespace flatray {
@@ -175,38 +175,38 @@ struct Winding {
 };
 
 // All events at one t.
-struct Meeting {
+struct Instant {
   HitTime t;
   Winding before, after;
   int edge = kNoEdge;
   bool met = false;
 };
 
-Meeting meeting_of(std::span<const Event> events, const Winding& before) {
-  Meeting meeting{events.front().t, before, before};
+Instant instant_of(std::span<const Event> events, const Winding& before) {
+  Instant instant{events.front().t, before, before};
   for (const Event& event : events) {
-    for (std::size_t k = 0; k < kShifts.size(); ++k) meeting.after.turns[k] += event.turns[k];
-    const bool better = event.met == meeting.met ? event.edge < meeting.edge : event.met;
-    if (meeting.edge == kNoEdge || better) meeting.edge = event.edge;
-    meeting.met |= event.met;
+    for (std::size_t k = 0; k < kShifts.size(); ++k) instant.after.turns[k] += event.turns[k];
+    const bool better = event.met == instant.met ? event.edge < instant.edge : event.met;
+    if (instant.edge == kNoEdge || better) instant.edge = event.edge;
+    instant.met |= event.met;
   }
-  return meeting;
+  return instant;
 }
 
-std::vector<Meeting> meetings_of(std::span<const Event> events) {
-  std::vector<Meeting> meetings;
+std::vector<Instant> instants_of(std::span<const Event> events) {
+  std::vector<Instant> instants;
   Winding winding;
   for (std::size_t begin = 0, end = 0; begin < events.size(); begin = end) {
     while (end < events.size() && compare(events[end].t, events[begin].t) == 0) ++end;
-    meetings.push_back(meeting_of(events.subspan(begin, end - begin), winding));
-    winding = meetings.back().after;
+    instants.push_back(instant_of(events.subspan(begin, end - begin), winding));
+    winding = instants.back().after;
   }
-  return meetings;
+  return instants;
 }
 
-std::vector<LineHit> parts_of(const std::vector<Meeting>& meetings) {
+std::vector<LineHit> parts_of(const std::vector<Instant>& instants) {
   std::vector<LineHit> parts;
-  for (const Meeting& at : meetings) {
+  for (const Instant& at : instants) {
     if (at.before.outside() && (at.met || !at.after.outside()))
       parts.push_back({at.t, at.t, at.edge, at.edge, HitClass::touch});
     if (parts.empty()) continue;
@@ -221,14 +221,14 @@ std::vector<LineHit> parts_of(const std::vector<Meeting>& meetings) {
   return parts;
 }
 
-StartPlace start_of(const std::vector<Meeting>& meetings) {
+StartPlace start_of(const std::vector<Instant>& instants) {
   const auto place = [](const Winding& winding) {
     return winding.inside()    ? StartPlace::inside
            : winding.outside() ? StartPlace::outside
                                : StartPlace::boundary;
   };
   Winding winding;
-  for (const Meeting& at : meetings) {
+  for (const Instant& at : instants) {
     if (at.t.sign() == Sign::positive) break;
     winding = at.after;
     if (at.t.sign() != Sign::zero) continue;
@@ -252,8 +252,8 @@ std::vector<HitInterval> clip_path(const Ray& ray, const CurvedPath& path, Range
   Line line(point ? Ray{ray.origin, {1, 0}} : ray);
   for (const PathEdge& edge : path.edges) path.closed ? line.add_closed(edge) : line.add_open(edge);
   const std::vector<Event> events = std::move(line).in_order();
-  const std::vector<Meeting> meetings = meetings_of(events);
-  const StartPlace start = start_of(meetings);
+  const std::vector<Instant> instants = instants_of(events);
+  const StartPlace start = start_of(instants);
   std::vector<HitInterval> hits;
   const auto add = [&](HitInterval hit) {
     hit.start = start;
@@ -262,7 +262,7 @@ std::vector<HitInterval> clip_path(const Ray& ray, const CurvedPath& path, Range
   if (point)
     add(point_test(start, within));
   else
-    for (const LineHit& part : parts_of(meetings)) add(clip_to_range(part, within));
+    for (const LineHit& part : parts_of(instants)) add(clip_to_range(part, within));
   return hits;
 }
 

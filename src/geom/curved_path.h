@@ -30,7 +30,7 @@ struct CurvedPath {
 /// Gives   intervals clipped to `within`, ascending and apart: `through` where a part has inner
 ///         points, `along` where all of it is boundary, `touch` for one point. Edges by their
 ///         numbers, the lowest where several meet; `start` is the place of the origin in all of it.
-/// Error   verdict, class, edges exact; t within 1 ulp.
+/// Error   verdict, class, edges exact; t is the nearest double.
 /// Cost    linear in the edges, some us each that is met; rationals where bounds leave a doubt.
 std::vector<HitInterval> clip_path(const Ray& ray, const CurvedPath& path, Range within = kRay);
 

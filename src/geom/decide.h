@@ -9,7 +9,7 @@
 
 namespace flatray {
 
-/// What makes a double a number of each arithmetic.
+/// For each arithmetic, the function that makes a number of it from a double.
 inline constexpr auto kPlain = [](double x) { return x; };
 inline constexpr auto kCounted = [](double x) { return Term<0>{x}; };
 inline constexpr auto kNear = [](double x) { return Near(x); };
@@ -32,8 +32,8 @@ void work_fused(const Work& work) {
 constexpr bool has_fused() { return true; }
 #endif
 
-/// Does `work`, all of it inlined, with the machine's fused multiplication where it has one; the
-/// bits are the same.
+/// Runs `work`, all of it inlined, with fused multiplication where the machine has it; the bits are
+/// the same.
 template <class Work>
 void with_fused(const Work& work) {
   has_fused() ? work_fused(work) : work();
@@ -44,9 +44,10 @@ inline Pair<Near> within(const Vec2& point, const Vec2& reach) {
   return {Near::within(point.x(), reach.x()), Near::within(point.y(), reach.y())};
 }
 
-/// Sign of formula(number), where number turns a double into the arithmetic to use:
-/// double-doubles with simple bounds, with sharp bounds, the exact rationals, each where those
-/// before leave a doubt. Exact for all finite doubles.
+/// Sign of formula(number), where number turns a double into a number of the arithmetic to use.
+/// Three are tried in turn, until one leaves no doubt: double-doubles with simple bounds,
+/// double-doubles with sharp bounds, exact rationals. Filters in doubles come before, in
+/// predicates.h and in trace. Exact for all finite doubles.
 ///
 ///   decide([&](auto number) { return number(a) * number(b) - number(c); })
 template <class Formula>

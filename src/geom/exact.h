@@ -45,7 +45,7 @@ class Rational {
   double nearest() const;
   /// Largest integer not above it, as a Rational.
   Rational floor() const;
-  /// Of the longer of its numerator and denominator, without powers of two, in lowest terms.
+  /// Bits of the longer of numerator and denominator, in lowest terms, without powers of two.
   std::size_t bits() const;
   /// "19/72" or "3".
   std::string text() const;

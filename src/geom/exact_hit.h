@@ -61,8 +61,10 @@ class ExactHit {
 
   Ray ray_;
   HitTime time_;
-  Ellipse curve_;       // its centre 0 for a segment
-  Pair<Bounded> form_;  // of the point, as curve_form has it; 0 for a segment
+  Ellipse curve_;  // its centre 0 for a segment and a Bezier curve
+  // Of the point, as curve_form has it; of a Bezier curve its derivative by s there; 0 for a
+  // segment.
+  Pair<Bounded> form_;
   Pair<Bounded> from_;  // the point as seen from the centre
   std::optional<Bezier> bezier_;
   std::optional<BezierRoot> root_;

@@ -20,15 +20,15 @@ inline constexpr int kNoEdge = -1;
 ///
 /// Units   t counts lengths of the ray's direction.
 /// Gives   t_enter > t_exit exactly when kind is miss. Edge i runs from vertex i to i + 1 of the
-///         shape as given; kNoEdge where the end of the interval is the end of the range asked for,
-///         or a circle.
+///         shape as given; kNoEdge where the interval ends with the range asked for, and where it
+///         ends on a circle, an ellipse or a Bezier curve.
 struct HitInterval {
   double t_enter = 1, t_exit = 0;
   int edge_enter = kNoEdge, edge_exit = kNoEdge;
   HitClass kind = HitClass::miss;
   StartPlace start = StartPlace::outside;
   bool enter_overflows = false,
-       exit_overflows = false;  ///< t is beyond the doubles, given as the largest
+       exit_overflows = false;  ///< t is beyond the doubles and is given as the largest
 
   explicit operator bool() const { return kind != HitClass::miss; }
   bool operator==(const HitInterval&) const = default;

@@ -159,15 +159,15 @@ std::strong_ordering compare(const HitTime& a, const HitTime& b) {
 }
 
 std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment) {
-  using Place = SegmentHit::Place;
+  using Part = SegmentHit::Part;
   const Sign a = side_of_ray(ray, segment.a), b = side_of_ray(ray, segment.b);
   if (a == b) {
     if (a != Sign::zero || segment.a != segment.b) return std::nullopt;
     const Vec2 across = std::fabs(ray.direction.x()) > 0 ? Vec2(0, 1) : Vec2(1, 0);
-    return SegmentHit{Place::at_a, HitTime::on_line(ray, segment.a, Vec2(0, 0), across)};
+    return SegmentHit{Part::at_a, HitTime::on_line(ray, segment.a, Vec2(0, 0), across)};
   }
-  const Place place = a == Sign::zero ? Place::at_a : b == Sign::zero ? Place::at_b : Place::inner;
-  return SegmentHit{place, HitTime::on_line(ray, segment)};
+  const Part part = a == Sign::zero ? Part::at_a : b == Sign::zero ? Part::at_b : Part::inner;
+  return SegmentHit{part, HitTime::on_line(ray, segment)};
 }
 
 std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve) {

@@ -17,8 +17,8 @@ struct RoundedTime {
   bool overflows;
 };
 
-/// When a ray meets a line or an ellipse: the parameter t as an exact number, kept as the geometry
-/// that defines it.
+/// When a ray meets a line, an ellipse or a Bezier curve: the parameter t as an exact number, kept
+/// as the geometry that defines it.
 ///
 /// Gives   comparisons without error, between walls of any kind and rays of any origin, and the
 ///         nearest double. Cost    bounded double-doubles first; rationals, compared by squaring,
@@ -35,12 +35,13 @@ class HitTime {
   /// The same for a line that moves with `velocity`, and a point that moves along the ray.
   static HitTime on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
                                 const Vec2& velocity);
-  /// Where `ray` is level with a point: at the foot of the perpendicular from it. Needs a direction that
-  /// is not zero.
+  /// Where `ray` comes to the foot of the perpendicular from a point. Needs a direction that is not
+  /// zero.
   static HitTime abreast(const Ray& ray, const Vec2& point) {
     return on_line(ray, point, {0, 0}, {-ray.direction.y(), ray.direction.x()});
   }
-  /// Where `ray` crosses a curve, in the second root or else the first. Needs a line that meets it, and a direction that is not zero.
+  /// Where `ray` crosses an ellipse: in the second root where `root` is that, else in the first.
+  /// Needs a line that meets it, and a direction that is not zero.
   static HitTime on_curve(const Ray& ray, const Ellipse& curve, Root root);
   /// Where `ray` meets a Bezier curve, by one of its roots.
   static HitTime on_curve(const Ray& ray, const Bezier& curve, const BezierRoot& root);
@@ -62,7 +63,7 @@ class HitTime {
  private:
   friend std::strong_ordering compare(const HitTime& a, const HitTime& b);
   template <class Make>
-  auto in(const Make& number) const -> decltype(number(0.0));  // but on a Bezier curve
+  auto in(const Make& number) const -> decltype(number(0.0));  // not on a Bezier curve
   Bounded approximate() const;
   Sign denominator() const;  // of a line
 
@@ -81,7 +82,7 @@ std::strong_ordering compare(const HitTime& a, const HitTime& b);
 
 /// Where a ray's line meets a closed segment (t of any sign).
 struct SegmentHit {
-  enum class Place { inner, at_a, at_b } place;  ///< whether exactly at an end
+  enum class Part { inner, at_a, at_b } part;  ///< whether exactly at an end
   HitTime t;
 };
 
@@ -100,8 +101,9 @@ struct CurveHit {
 /// nullopt where the line misses the curve. Exact. Needs a direction that is not zero.
 std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve);
 
-/// Where a ray's line meets what joins an arc to one of its ends, `end`, on the line to the centre
-/// (see Arc); nullopt where it misses it, or the end is on the curve. Exact.
+/// Where a ray's line meets the joint of an arc at `end`, the piece of the line to the centre
+/// between that end and the curve (see Arc); nullopt where it misses the joint, or the end is on
+/// the curve and there is none. Exact.
 /// Needs   an arc between ends, a direction that is not zero.
 std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec2& end);
 

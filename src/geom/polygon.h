@@ -8,7 +8,7 @@
 
 namespace flatray {
 
-/// Twice the signed area's sign: positive where the ring runs counter-clockwise. Exact.
+/// Sign of the ring's area: positive where the ring runs counter-clockwise. Exact.
 Sign ring_orientation(std::span<const Vec2> ring);
 
 /// Area of a ring, positive where it runs counter-clockwise. Rounded.
@@ -19,9 +19,10 @@ double ring_area(std::span<const Vec2> ring);
 /// Cost O(n).
 std::optional<std::size_t> non_convex_vertex(std::span<const Vec2> ring);
 
-/// Of a ring that was convex until its corners were rounded: moves each corner that has come to lie inside
-/// onto the one before it, so that the ring is convex again with as many edges: the number of the last of those
-/// that became one is left to it. A ring without area stays as it is. Exact.
+/// Makes a ring convex again that was convex until its corners were rounded: each corner that has
+/// come to lie inside moves onto the one before it. So the ring keeps its number of edges; where
+/// several become one, it has the number of the last of them. A ring without area stays as it is.
+/// Exact.
 /// Cost    O(n).
 void mend_convex(std::vector<Vec2>& ring);
 

@@ -8,7 +8,7 @@ namespace flatray {
 /// What cross_sign gives where its filter could not tell.
 Sign uncertain_cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
-/// Sign of (b - a) x (d - c), which the others are made of. Exact for all finite doubles.
+/// Sign of (b - a) x (d - c), of which the other predicates are made. Exact for all finite doubles.
 inline Sign cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const Sign sign = determinant([](double x) { return Term<0>{x}; }, a, b, c, d).sure_sign();
   if (sign != Sign::zero) return sign;
@@ -22,7 +22,8 @@ Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 /// Sign of a x b for given vectors. Exact for all finite doubles.
 Sign cross_sign(const Vec2& a, const Vec2& b);
 
-/// Sign of cross(d, p - o): the side of `p` seen from `o` along `d`. Exact.
+/// Sign of cross(d, p - o): the side of `p` seen from `o` along `d`, positive to the left. Exact.
+/// It decides whether a ray meets a straight wall or a convex polygon.
 Sign side_of_ray(const Ray& ray, const Vec2& p);
 
 /// Sign of cross(b - a, d): whether direction d turns left of the edge a -> b. Exact.

@@ -18,14 +18,15 @@ struct Range {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Range kLine{-kInfinity, kInfinity}, kRay{0, kInfinity}, kSegment{0, 1};
 
-/// Where the line of a ray meets a curve: it enters by the first root and leaves by the second; a
-/// tangent has both in one. A cubic may be entered or left once more, by the third or the fourth.
+/// Which of the points in which the line of a ray meets a curve: it enters by the first root and
+/// leaves by the second; a tangent has `both` in one. A cubic may be entered once more, by the
+/// third, or left once more, by the fourth.
 enum class Root : std::uint8_t { none, first, second, both, third, fourth };
 
 /// Whether a ray enters by it: comes from outside, or from the left of a Bezier curve.
 constexpr bool enters(Root root) { return root == Root::first || root == Root::third; }
 
-/// Of the square root: in all but the second root -1.
+/// The sign of the square root in the formula for t: 1 in the second root, else -1.
 inline int root_sign(Root root) { return root == Root::second ? 1 : -1; }
 
 struct Segment {

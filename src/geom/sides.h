@@ -23,8 +23,8 @@ struct Sides {
   }
 };
 
-/// `side(k)` of each of the corners, which are one at least; `is_edge(k)`: whether that which begins there has a
-/// length.
+/// Sides of at least one corner. `side(k)`: the side of corner k; `is_edge(k)`: whether the edge
+/// that begins there has a length.
 template <class SideOf, class IsEdge>
 Sides sides_of(std::size_t corners, const SideOf& side, const IsEdge& is_edge) {
   Sides sides;

@@ -79,10 +79,10 @@ std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const 
   return found;
 }
 
-std::optional<MeetingOf<Algebraic>> first_meeting(const Ray& ray, std::span<const Vec2> points) {
+std::optional<WallHitOf<Algebraic>> first_wall_hit(const Ray& ray, std::span<const Vec2> points) {
   const std::vector<BezierMeeting> all = meetings_with_bezier(ray, points);
   if (all.empty()) return std::nullopt;
-  MeetingOf<Algebraic> first{all[0].t, HitClass::touch, all[0].root, false};
+  WallHitOf<Algebraic> first{all[0].t, HitClass::touch, all[0].root, false};
   for (const BezierMeeting& met : all) {
     if (met.t != first.t) break;
     if (met.multiplicity % 2 == 1) first.kind = HitClass::through, first.root = met.root;

@@ -31,6 +31,6 @@ std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const 
 
 /// The first of them, where the curve is met at several s at once all together: at an end, as in a
 /// cusp or at an end of the curve, and a touch if none of them crosses the ray; in the last root that does.
-std::optional<MeetingOf<Algebraic>> first_meeting(const Ray& ray, std::span<const Vec2> points);
+std::optional<WallHitOf<Algebraic>> first_wall_hit(const Ray& ray, std::span<const Vec2> points);
 
 }  // namespace flatray::oracle

@@ -93,7 +93,7 @@ class Meetings {
         from_(exact(ray.origin) - centre_),
         way_(exact(ray.direction)) {}
 
-  std::optional<Meeting> first() {
+  std::optional<WallHit> first() {
     if (arc_.extent == Arc::Extent::between)
       for (const Vec2& end : {arc_.from, arc_.to}) offer_joint(exact(end) - centre_);
     if (is_zero(way_))
@@ -107,7 +107,7 @@ class Meetings {
   // Of meetings at one time that of the curve counts, which is offered last.
   void offer(Surd t, HitClass kind, Root root, bool at_end) {
     if (t.sign() == Sign::negative || (best_ && best_->t < t)) return;
-    best_ = Meeting{std::move(t), kind, root, at_end};
+    best_ = WallHit{std::move(t), kind, root, at_end};
   }
   void offer_on_curve(const Surd& t, HitClass kind, Root root) {
     const PlaceOn there = place_in(arc_, Moving{from_, way_, t});
@@ -158,26 +158,26 @@ class Meetings {
   const Arc& arc_;
   Frame frame_;
   Point centre_, from_, way_;
-  std::optional<Meeting> best_;
+  std::optional<WallHit> best_;
 };
 
 // Of a ray without direction: its start between the ends of a wall.
-std::optional<Meeting> meeting_with_start(const Point& to_a, const Point& to_b) {
+std::optional<WallHit> meeting_with_start(const Point& to_a, const Point& to_b) {
   if (cross(to_a, to_b) != 0 || dot(to_a, to_b) > 0) return std::nullopt;
-  return Meeting{{}, HitClass::touch, Root::none, is_zero(to_a) || is_zero(to_b)};
+  return WallHit{{}, HitClass::touch, Root::none, is_zero(to_a) || is_zero(to_b)};
 }
 
 // Of a wall on the line of the ray, whose ends lie so far ahead.
-std::optional<Meeting> meeting_along(const Rational& to_a, const Rational& to_b) {
+std::optional<WallHit> meeting_along(const Rational& to_a, const Rational& to_b) {
   const auto& [first, last] = std::minmax(to_a, to_b);
   if (last < 0) return std::nullopt;
   const HitClass kind = first == last || last == 0 ? HitClass::touch : HitClass::along;
-  return Meeting{{first < 0 ? 0 : first}, kind, Root::none, first >= 0 || last == 0};
+  return WallHit{{first < 0 ? 0 : first}, kind, Root::none, first >= 0 || last == 0};
 }
 
 }  // namespace
 
-std::optional<Meeting> first_meeting(const Ray& ray, const Segment& wall) {
+std::optional<WallHit> first_wall_hit(const Ray& ray, const Segment& wall) {
   const Point from = exact(ray.origin), way = exact(ray.direction);
   const Point to_a = exact(wall.a) - from, to_b = exact(wall.b) - from, along = to_b - to_a;
   if (is_zero(way)) return meeting_with_start(to_a, to_b);
@@ -187,10 +187,10 @@ std::optional<Meeting> first_meeting(const Ray& ray, const Segment& wall) {
     return meeting_along(dot(to_a, way) / dot(way, way), dot(to_b, way) / dot(way, way));
   if (across < 0) across = -across, place = -place, time = -time;
   if (across == 0 || time < 0 || place < 0 || place > across) return std::nullopt;
-  return Meeting{{time / across}, HitClass::touch, Root::none, place == 0 || place == across};
+  return WallHit{{time / across}, HitClass::touch, Root::none, place == 0 || place == across};
 }
 
-std::optional<Meeting> first_meeting(const Ray& ray, const Arc& arc) {
+std::optional<WallHit> first_wall_hit(const Ray& ray, const Arc& arc) {
   return Meetings(ray, arc).first();
 }
 

@@ -10,16 +10,16 @@ namespace flatray::oracle {
 
 /// Where a ray meets a wall, as tracers must answer.
 template <class Time>
-struct MeetingOf {
+struct WallHitOf {
   Time t;
   HitClass kind;
   Root root;
   bool at_end;
 };
-using Meeting = MeetingOf<Surd>;
+using WallHit = WallHitOf<Surd>;
 
 /// Where a ray first meets a straight wall at t >= 0: both as parametric segments, in rationals.
-std::optional<Meeting> first_meeting(const Ray& ray, const Segment& wall);
+std::optional<WallHit> first_wall_hit(const Ray& ray, const Segment& wall);
 
 /// Where it first meets a curved one.
 ///
@@ -28,7 +28,7 @@ std::optional<Meeting> first_meeting(const Ray& ray, const Segment& wall);
 ///         perpendicular, half the chord about it, and angles from one end of the arc in quarters
 ///         of a turn; all in rationals and one square root.
 /// Cost    some 30 us.
-std::optional<Meeting> first_meeting(const Ray& ray, const Arc& arc);
+std::optional<WallHit> first_wall_hit(const Ray& ray, const Arc& arc);
 
 /// Where the line of a ray meets the whole curve of a wall in one of its roots: the first, or for
 /// any other `root` the second. Nothing where it passes by.

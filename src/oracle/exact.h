@@ -1,5 +1,5 @@
 #pragma once
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "oracle/contact.h"
 
 namespace flatray::oracle {

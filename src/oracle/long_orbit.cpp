@@ -14,7 +14,7 @@ namespace {
 
 using Long = mpf_class;
 
-using Place = Pair<Long>;
+using LongPoint = Pair<Long>;
 
 // mpf's own conversion cuts off.
 double nearest(const Long& x) {
@@ -45,7 +45,7 @@ class Walker {
         soon_(number(std::ldexp(1.0, -static_cast<int>(bits / 4 < 1000 ? bits / 4 : 1000)))),
         small_(number(std::ldexp(1.0, -static_cast<int>(bits / 2 < 1000 ? bits / 2 : 1000)))) {
     materials_.resize(walls.size(), Material::mirror);
-    Place sum = place({0, 0});
+    LongPoint sum = place({0, 0});
     for (std::uint32_t i = 0; i < walls.size(); ++i)
       if (materials_[i] == Material::periodic) {
         cell_.push_back(i);
@@ -57,7 +57,7 @@ class Walker {
   // The next wall that is not crossed, without what becomes of the way there.
   std::optional<LongOrbit::Bounce> next() {
     constexpr int kMostCrossings = 1 << 18;
-    std::optional<Place> entry;  // where the first wall crossed led
+    std::optional<LongPoint> entry;  // where the first wall crossed led
     for (int crossings = 0; crossings < kMostCrossings; ++crossings) {
       const auto first = first_met();
       if (!first) return std::nullopt;
@@ -69,7 +69,7 @@ class Walker {
         continue;
       }
       const Vec2 point(nearest(point_.x), nearest(point_.y));
-      const Place beyond = point_ - place(point);
+      const LongPoint beyond = point_ - place(point);
       return LongOrbit::Bounce{
           first->surface, point, {nearest(beyond.x), nearest(beyond.y)}, first->corner};
     }
@@ -77,7 +77,8 @@ class Walker {
   }
 
   void turn(std::uint32_t surface) {
-    const Place normal = walls_.visit(surface, [&](const auto& wall) { return normal_of(wall); });
+    const LongPoint normal =
+        walls_.visit(surface, [&](const auto& wall) { return normal_of(wall); });
     const Long twice = 2 * dot(way_, normal) / dot(normal, normal);
     way_ = way_ - twice * normal;
   }
@@ -117,27 +118,27 @@ class Walker {
   bool is_hole(std::uint32_t surface) const { return materials_[surface] == Material::hole; }
 
   bool leads_out(const Segment& wall) const {
-    const Place along = place(wall.b) - place(wall.a);
+    const LongPoint along = place(wall.b) - place(wall.a);
     const Long inward = cross(along, middle_ - place(wall.a)), turn = cross(along, way_);
     return sgn(turn) != 0 && sgn(turn) != sgn(inward);
   }
   // From a wall of the cell to that opposite.
-  Place shift(std::uint32_t surface) const {
+  LongPoint shift(std::uint32_t surface) const {
     const auto at = std::find(cell_.begin(), cell_.end(), surface) - cell_.begin();
     const auto count = cell_.size();
     const auto far = cell_[(static_cast<std::size_t>(at) + count / 2) % count];
     return place(walls_.segment(far).b) - place(walls_.segment(surface).a);
   }
-  bool is_small(const Place& v) const { return abs(v.x) <= small_ && abs(v.y) <= small_; }
+  bool is_small(const LongPoint& v) const { return abs(v.x) <= small_ && abs(v.y) <= small_; }
 
   Long number(double x) const { return {x, bits_}; }
-  Place place(const Vec2& v) const { return {number(v.x()), number(v.y())}; }
+  LongPoint place(const Vec2& v) const { return {number(v.x()), number(v.y())}; }
 
   std::vector<Met> times(const Segment& wall) const {
     return times_between(place(wall.a), place(wall.b));
   }
-  std::vector<Met> times_between(const Place& a, const Place& b) const {
-    const Place along = b - a, to = a - point_;
+  std::vector<Met> times_between(const LongPoint& a, const LongPoint& b) const {
+    const LongPoint along = b - a, to = a - point_;
     const Long across = cross(way_, along), size = dot(way_, way_);
     if (across * across <= small_ * small_ * size * dot(along, along)) {
       const Long beside = cross(to, way_);
@@ -150,8 +151,8 @@ class Walker {
   }
 
   std::vector<Met> times(const Arc& arc) const {
-    const Place from = in_circle(arc.curve, point_ - place(arc.curve.centre));
-    const Place way = in_circle(arc.curve, way_);
+    const LongPoint from = in_circle(arc.curve, point_ - place(arc.curve.centre));
+    const LongPoint way = in_circle(arc.curve, way_);
     const Long a = dot(way, way), b = dot(way, from);
     const Long quarter = b * b - a * (dot(from, from) - 1);
     std::vector<Met> times = joints(arc);
@@ -165,9 +166,9 @@ class Walker {
   std::vector<Met> joints(const Arc& arc) const {
     std::vector<Met> met;
     if (arc.extent != Arc::Extent::between) return met;
-    const Place centre = place(arc.curve.centre);
+    const LongPoint centre = place(arc.curve.centre);
     for (const Vec2& end : {arc.from, arc.to}) {
-      const Place to = place(end) - centre, form = in_circle(arc.curve, to);
+      const LongPoint to = place(end) - centre, form = in_circle(arc.curve, to);
       const Long size = sqrt(dot(form, form));
       if (abs(size - 1) <= small_) continue;
       for (const Met& one : times_between(place(end), centre + 1 / size * to))
@@ -201,7 +202,7 @@ class Walker {
         (sgn(beside(middle)) == from ? low : high) = middle;
       }
       for (mp_bitcnt_t right = 32; right < bits_; right *= 2) {  // by Newton's rule
-        const std::vector<Place> chord = divided(points_of(wall), high, 2);
+        const std::vector<LongPoint> chord = divided(points_of(wall), high, 2);
         high -= beside(high) / (wall.degree * cross(way_, chord[1] - chord[0]));
       }
       if (high > small_ && high < 1 - small_) add(high, false);
@@ -209,18 +210,19 @@ class Walker {
     return found;
   }
   // By de Casteljau's rule: what is left of points when `most` are.
-  static std::vector<Place> divided(std::vector<Place> points, const Long& s, std::size_t most) {
+  static std::vector<LongPoint> divided(std::vector<LongPoint> points, const Long& s,
+                                        std::size_t most) {
     for (; points.size() > most; points.pop_back())
       for (std::size_t k = 0; k + 1 < points.size(); ++k)
         points[k] = points[k] + s * (points[k + 1] - points[k]);
     return points;
   }
-  std::vector<Place> points_of(const Bezier& wall) const {
-    std::vector<Place> points;
+  std::vector<LongPoint> points_of(const Bezier& wall) const {
+    std::vector<LongPoint> points;
     for (int k = 0; k <= wall.degree; ++k) points.push_back(place(wall.point(k)));
     return points;
   }
-  Place point_at(const Bezier& wall, const Long& s) const {
+  LongPoint point_at(const Bezier& wall, const Long& s) const {
     return divided(points_of(wall), s, 1)[0];
   }
   std::vector<Met> times(const Bezier& wall) const {
@@ -230,19 +232,19 @@ class Walker {
   }
 
   // Parts of the half-diameters that a vector is the sum of, by Cramer's rule.
-  Place in_circle(const Ellipse& curve, const Place& w) const {
-    const Place u = place(curve.u), v = place(curve.v);
+  LongPoint in_circle(const Ellipse& curve, const LongPoint& w) const {
+    const LongPoint u = place(curve.u), v = place(curve.v);
     const Long whole = cross(u, v);
     return {cross(w, v) / whole, cross(u, w) / whole};
   }
 
   // Whether a point of the curve of an arc on it is an end; nullopt of one that is not on it.
-  std::optional<bool> end_of(const Arc& arc, const Place& point) const {
+  std::optional<bool> end_of(const Arc& arc, const LongPoint& point) const {
     if (arc.extent == Arc::Extent::whole) return false;
-    const Place to = point - place(arc.curve.centre);
+    const LongPoint to = point - place(arc.curve.centre);
     if (arc.extent == Arc::Extent::half) return sign_of_end(dot(to, place(arc.from)));
-    const Place from = place(arc.from) - place(arc.curve.centre),
-                last = place(arc.to) - place(arc.curve.centre);
+    const LongPoint from = place(arc.from) - place(arc.curve.centre),
+                    last = place(arc.to) - place(arc.curve.centre);
     const auto begun = sign_of_end(cross(from, to)), open = sign_of_end(cross(to, last));
     const bool reflex = sgn(cross(from, last)) < 0;
     if (reflex ? !begun && !open : !begun || !open) return std::nullopt;
@@ -254,23 +256,23 @@ class Walker {
     return x < -small_ ? std::nullopt : std::optional(x <= small_);
   }
 
-  Place normal_of(const Segment& wall) const {
-    const Place along = place(wall.b) - place(wall.a);
+  LongPoint normal_of(const Segment& wall) const {
+    const LongPoint along = place(wall.b) - place(wall.a);
     return {-along.y, along.x};
   }
-  Place normal_of(const Arc& arc) const {  // across the tangent
+  LongPoint normal_of(const Arc& arc) const {  // across the tangent
     const Ellipse& curve = arc.curve;
-    const Place at = in_circle(curve, point_ - place(curve.centre));
-    const Place tangent = at.x * place(curve.v) - at.y * place(curve.u);
+    const LongPoint at = in_circle(curve, point_ - place(curve.centre));
+    const LongPoint tangent = at.x * place(curve.v) - at.y * place(curve.u);
     return {tangent.y, -tangent.x};
   }
 
-  Place normal_of(const Bezier& wall) const {
+  LongPoint normal_of(const Bezier& wall) const {
     const std::vector<OnCurve> all = meetings(wall);
     const auto here =
         std::min_element(all.begin(), all.end(),
                          [](const OnCurve& a, const OnCurve& b) { return abs(a.t) < abs(b.t); });
-    const std::vector<Place> chord = divided(points_of(wall), here->s, 2);
+    const std::vector<LongPoint> chord = divided(points_of(wall), here->s, 2);
     return {chord[0].y - chord[1].y, chord[1].x - chord[0].x};
   }
 
@@ -278,10 +280,10 @@ class Walker {
   std::vector<Material> materials_;
   std::vector<std::uint32_t> cell_;  // its walls, in order
   mp_bitcnt_t bits_;
-  Place point_, way_;
-  Place middle_;  // of the cell
-  Long soon_;     // what is met before is the wall just left
-  Long small_;    // what is 0
+  LongPoint point_, way_;
+  LongPoint middle_;  // of the cell
+  Long soon_;         // what is met before is the wall just left
+  Long small_;        // what is 0
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace flatray::oracle {
 static std::span<const Vec2> points_of(const Bezier& wall) {
   return {wall.points.data(), static_cast<std::size_t>(wall.degree) + 1};
 }
-static auto first_meeting(const Ray& ray, const Bezier& wall) {
-  return first_meeting(ray, points_of(wall));
+static auto first_wall_hit(const Ray& ray, const Bezier& wall) {
+  return first_wall_hit(ray, points_of(wall));
 }
 
 namespace {
@@ -32,7 +32,7 @@ class First {
 
   template <class Wall>
   void offer(std::int64_t number, const Wall& wall) {
-    const auto met = first_meeting(ray_, wall);
+    const auto met = first_wall_hit(ray_, wall);
     if (!met) return;
     const auto order = wall_ ? compare(met->t, best_) : std::strong_ordering::less;
     if (order > 0 || (order == 0 && number > wall_.wall)) return;
@@ -55,7 +55,7 @@ class First {
 };
 
 std::optional<double> time_of(const Ray& ray, const Segment& wall, Root) {
-  const auto met = first_meeting(ray, wall);
+  const auto met = first_wall_hit(ray, wall);
   return met ? std::optional(met->t.nearest()) : std::nullopt;
 }
 std::optional<double> time_of(const Ray& ray, const Arc& wall, Root root) {

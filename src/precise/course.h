@@ -17,7 +17,7 @@ enum class Met : std::uint8_t { no, between, end, open };
 enum class WallPart : std::uint8_t { other, line, first_root, second_root, joint };
 
 template <class Number>
-struct Meeting {
+struct CourseHit {
   Met met;
   std::optional<Number> place{};  ///< nullopt where it is open and may be anywhere
   WallPart part = WallPart::other;
@@ -66,7 +66,7 @@ struct Course {
   };
   Sight sight(const Vec2& point) const { return {side_of(point), place_of(point)}; }
 
-  std::vector<Meeting<Number>> meet(const Segment& wall, bool stood_on) const {
+  std::vector<CourseHit<Number>> meet(const Segment& wall, bool stood_on) const {
     if (stood_on) return {};
     return {meet_between(sight(wall.a), sight(wall.b))};
   }
@@ -97,7 +97,7 @@ struct Course {
   }
 
   // Where it has left the curve is a root that is known, by which the others are those of a quotient.
-  std::vector<Meeting<Number>> meet(const Bezier& wall, bool stood_on) const {
+  std::vector<CourseHit<Number>> meet(const Bezier& wall, bool stood_on) const {
     constexpr int kSteps = 10;
     if (stood_on && !stood_at) return {{Met::open}};
     Bernstein<Number> beside = bernstein_of(wall, [&](const Vec2& p) { return side_of(p); });
@@ -106,7 +106,7 @@ struct Course {
     const auto roots = bernstein_roots(make, plain, std::move(beside), kSteps);
     if (!roots) return {{Met::open}};
     const auto ahead = bernstein_of(wall, [&](const Vec2& p) { return place_of(p); });
-    std::vector<Meeting<Number>> met;
+    std::vector<CourseHit<Number>> met;
     for (const auto& root : *roots) {
       met.push_back(ahead_at(bernstein_value(ahead, root.s)));
       met.back().parameter = root.s;
@@ -132,7 +132,7 @@ struct Course {
   }
 
   // A straight wall between two points.
-  Meeting<Number> meet_between(const Sight& from, const Sight& to) const {
+  CourseHit<Number> meet_between(const Sight& from, const Sight& to) const {
     const Number apart = from.side - to.side;
     const auto a = from.side.sign(), b = to.side.sign(), slope = apart.sign();
     if (a && a == b && *a != Sign::zero) return {Met::no};
@@ -146,7 +146,7 @@ struct Course {
   }
 
   // A wall on the line, or so near that it cannot be told: it is met, if it is, between its ends.
-  Meeting<Number> meet_along(const Number& at_a, const Number& at_b, bool on_line) const {
+  CourseHit<Number> meet_along(const Number& at_a, const Number& at_b, bool on_line) const {
     const auto a = (at_a - here).sign(), b = (at_b - here).sign();
     if (a == Sign::negative && b == Sign::negative) return {Met::no};
     const auto order = (at_a - at_b).sign();
@@ -156,13 +156,13 @@ struct Course {
   }
 
   // What joins an end of an arc to its curve, on the line to the centre (see Arc).
-  Meeting<Number> meet_joint(const Ellipse& curve, const Vec2& end) const {
+  CourseHit<Number> meet_joint(const Ellipse& curve, const Vec2& end) const {
     if (curve_side(end, curve) == Sign::zero) return {Met::no};
     const Pair<Number> way = pair(end) - pair(curve.centre);
     const Pair<Number> form = curve_form(make, curve, way);
     const Number r = form_size(make, curve), share = square_root(r * r / dot(form, form));
     const Sight centre = sight(curve.centre);
-    Meeting<Number> meeting = meet_between(
+    CourseHit<Number> meeting = meet_between(
         sight(end),
         {centre.side + share * cross(direction, way), centre.place + share * dot(way, direction)});
     if (meeting.met == Met::between) meeting.met = Met::end;
@@ -194,17 +194,17 @@ struct Course {
     return {(q * d.x + k * d.y) / size, (q * d.y - k * d.x) / size};
   }
 
-  std::vector<Meeting<Number>> meet(const Arc& arc, bool stood_on) const {
-    std::vector<Meeting<Number>> met = meet_curve(arc.curve, stood_on);
+  std::vector<CourseHit<Number>> meet(const Arc& arc, bool stood_on) const {
+    std::vector<CourseHit<Number>> met = meet_curve(arc.curve, stood_on);
     if (arc.extent == Arc::Extent::whole) return met;
-    for (Meeting<Number>& meeting : met) limit_to(arc, meeting);
+    for (CourseHit<Number>& meeting : met) limit_to(arc, meeting);
     if (arc.extent == Arc::Extent::between)
       for (const Vec2& end : {arc.from, arc.to}) met.push_back(meet_joint(arc.curve, end));
     return met;
   }
 
   // The whole curve.
-  std::vector<Meeting<Number>> meet_curve(const Ellipse& curve, bool stood_on) const {
+  std::vector<CourseHit<Number>> meet_curve(const Ellipse& curve, bool stood_on) const {
     const Chord chord = this->chord(curve);
     const Number middle = place_of(curve.centre) + chord.middle;
     if (stood_on) {
@@ -216,7 +216,7 @@ struct Course {
     const auto reached = chord.square.sign();
     if (reached == Sign::negative || reached == Sign::zero) return {};
     if (!reached) {  // just met or missed: where, if at all
-      const Meeting<Number> near = ahead_at(middle + chord.scale * either_root(chord.square));
+      const CourseHit<Number> near = ahead_at(middle + chord.scale * either_root(chord.square));
       return {{near.met == Met::no ? Met::no : Met::open, near.place}};
     }
     Number half = chord.scale * square_root(chord.square);
@@ -226,14 +226,14 @@ struct Course {
   }
 
   // A place on a curve that another wall stands on, or the start, may be here.
-  Meeting<Number> ahead_at(const Number& place, WallPart part = WallPart::other) const {
+  CourseHit<Number> ahead_at(const Number& place, WallPart part = WallPart::other) const {
     const auto ahead = (place - here).sign();
     if (ahead == Sign::negative) return {Met::no};
     return {ahead == Sign::positive ? Met::between : Met::open, place, part};
   }
 
   // Of a point of the curve, whether it is one of the arc.
-  void limit_to(const Arc& arc, Meeting<Number>& meeting) const {
+  void limit_to(const Arc& arc, CourseHit<Number>& meeting) const {
     if (meeting.met == Met::no || !meeting.place) return;
     const Number centre = place_of(arc.curve.centre);
     const auto from = from_centre(*meeting.place - centre, side_of(arc.curve.centre));

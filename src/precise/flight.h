@@ -41,21 +41,22 @@ class Flight {
         course_(start, make),
         point_(pair(start.origin)),
         first_entry_(point_) {
-    for (const std::uint32_t surface : ExactOrigins(walls).walls_at(start.origin)) left_ = surface;
+    for (const auto surface : ExactOrigins(walls).walls_at(start.origin)) departed_ = surface;
   }
 
   Prospect next() const {
-    if (periodic_.has(left_) && leads_out(left_) == true) return {Prospect::Kind::wall, {left_}};
+    if (periodic_.has(departed_) && leads_out(departed_) == true)
+      return {Prospect::Kind::wall, {departed_}};
     Prospect found{Prospect::Kind::escape, {}};
-    std::optional<Meeting<Number>> best;  // of what is met first
-    std::vector<Number> open;             // places of what may be missed
+    std::optional<CourseHit<Number>> best;  // of what is met first
+    std::vector<Number> open;               // places of what may be missed
     for (std::uint32_t surface = 0; surface < walls_.size(); ++surface) {
       if (periodic_.has(surface)) {
         const auto out = leads_out(surface);
         if (!out) return {Prospect::Kind::open, {}};
         if (!*out) continue;
       }
-      for (Meeting<Number>& meeting : meetings(surface)) {
+      for (CourseHit<Number>& meeting : meetings(surface)) {
         if (meeting.met == Met::no) continue;
         if (!meeting.place) return {Prospect::Kind::open, {}};
         if (meeting.met == Met::open) {
@@ -82,7 +83,7 @@ class Flight {
   bool bounce(std::uint32_t surface) {
     const bool known =
         walls_.visit(surface, [&](const auto& wall) { return bounce_off(wall, surface); });
-    left_ = surface;
+    departed_ = surface;
     crossings_ = 0;
     return known;
   }
@@ -100,14 +101,14 @@ class Flight {
     auto met = meeting_point(walls_.segment(next.walls.front()));
     if (!met) return std::nullopt;
     point_ = *met;
-    const auto left = periodic_.left_by(
+    const auto crossed = periodic_.crossed_by(
         next.walls, [&](const PeriodicWalls::Side& side) { return leads_out(side.surface); });
-    if (!left) return std::nullopt;
-    for (const PeriodicWalls::Side* side : left->all()) {
+    if (!crossed) return std::nullopt;
+    for (const PeriodicWalls::Side* side : crossed->all()) {
       const Pair<Number> shift = pair(side->to()) - pair(side->from());
       course_.moment = course_.moment + cross(shift, course_.direction);
       point_ = point_ + shift;
-      left_ = side->opposite;
+      departed_ = side->opposite;
       cell_ += side->step;
     }
     course_.here = dot(point_ - pair(course_.about), course_.direction);
@@ -215,37 +216,36 @@ class Flight {
     return pair(*order == Sign::positive ? wall.b : wall.a);
   }
 
-  std::vector<Meeting<Number>> meetings(std::uint32_t surface) const {
-    std::vector<Meeting<Number>> met = walls_.visit(
+  std::vector<CourseHit<Number>> meetings(std::uint32_t surface) const {
+    std::vector<CourseHit<Number>> met = walls_.visit(
         surface, [&](const auto& wall) { return course_.meet(wall, stands_on(wall, surface)); });
-    for (Meeting<Number>& meeting : met) meeting.surface = surface;
+    for (CourseHit<Number>& meeting : met) meeting.surface = surface;
     return met;
   }
 
   // Of its own curve, whichever part of it was left.
-  bool stands_on(const Segment&, std::uint32_t surface) const { return surface == left_; }
-  bool stands_on(const Bezier&, std::uint32_t surface) const { return surface == left_; }
+  template <class Wall>
+  bool stands_on(const Wall&, std::uint32_t surface) const {
+    return surface == departed_;
+  }
   bool stands_on(const Arc& arc, std::uint32_t surface) const {
-    return surface == left_ || (left_ != kNoSurface && walls_.visit(left_, [&](const auto& left) {
-             return is_part_of(left, arc.curve);
-           }));
+    const auto is_part = [&](const auto& wall) { return is_part_of(wall, arc.curve); };
+    return surface == departed_ || (departed_ != kNoSurface && walls_.visit(departed_, is_part));
   }
   static bool is_part_of(const Arc& arc, const Ellipse& curve) {
     return is_same_curve(arc.curve, curve);
   }
-  template <class Wall>
-  static bool is_part_of(const Wall&, const Ellipse&) {
-    return false;
-  }
+  static bool is_part_of(const Segment&, const Ellipse&) { return false; }
+  static bool is_part_of(const Bezier&, const Ellipse&) { return false; }
 
   // Of places that are known: positive where b comes first.
-  std::optional<Sign> order_of(const Meeting<Number>& a, const Meeting<Number>& b) const {
+  std::optional<Sign> order_of(const CourseHit<Number>& a, const CourseHit<Number>& b) const {
     const auto order = (*a.place - *b.place).sign();
     return !order && is_same_point(a, b) ? Sign::zero : order;
   }
 
   // Whether two walls are met in one point because they lie on each other.
-  bool is_same_point(const Meeting<Number>& a, const Meeting<Number>& b) const {
+  bool is_same_point(const CourseHit<Number>& a, const CourseHit<Number>& b) const {
     if (a.part != b.part || a.part == WallPart::other) return false;
     if (a.part == WallPart::line)
       return lies_along(walls_.segment(b.surface), walls_.segment(a.surface));
@@ -258,9 +258,9 @@ class Flight {
   }
 
   // Of a curved wall that is known to be met. A place that is open may be that of a root.
-  std::optional<Meeting<Number>> first_of(std::uint32_t surface) const {
-    std::optional<Meeting<Number>> first;
-    for (const Meeting<Number>& meeting : meetings(surface)) {
+  std::optional<CourseHit<Number>> first_of(std::uint32_t surface) const {
+    std::optional<CourseHit<Number>> first;
+    for (const CourseHit<Number>& meeting : meetings(surface)) {
       if (meeting.met == Met::no) continue;
       if (!meeting.place) return std::nullopt;
       const auto order = first ? (*meeting.place - *first->place).sign() : Sign::negative;
@@ -390,7 +390,7 @@ class Flight {
   const PeriodicWalls& periodic_;
   Course<Number, Make> course_;
   Pair<Number> point_;
-  std::uint32_t left_ = kNoSurface;
+  std::uint32_t departed_ = kNoSurface;
   CellIndex cell_{};
   std::uint32_t crossings_ = 0;  // since the last bounce
   Pair<Number> first_entry_;     // to which the first of them led

@@ -30,7 +30,7 @@ struct FillPath {
   bool operator==(const FillPath&) const = default;
 };
 
-/// Disc or ring in film coordinates; inner_radius < 0 is a whole disc.
+/// Disc or annulus in film coordinates; with inner_radius < 0 it is a whole disc.
 struct FillRing {
   Vec2 centre;
   double radius, inner_radius = -1;

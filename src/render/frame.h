@@ -51,10 +51,10 @@ Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, uns
                            const FrameOptions& options = {});
 
 /// The software back end for frames drawn one after another: bands in which nothing changed keep
-/// their pixels, and others those left and right of what changed. Same pixels whatever was drawn
-/// before.
+/// their pixels, and the other bands keep those left and right of what changed. The pixels are the
+/// same whatever was drawn before.
 ///
-/// Cost    room for the picture.
+/// Cost    memory for the picture.
 template <class Picture>  // Image or LinearImage
 class FrameDrawer {
  public:
@@ -80,7 +80,7 @@ class FrameDrawer {
   DrawCounts counts_;
 };
 
-/// Pixels of one draw list into a picture whose room is used again.
+/// Draws one draw list into a picture whose memory is used again.
 template <class Picture>  // Image or LinearImage
 void render_into(const DrawList& list, const FrameOptions& options, Picture& picture);
 

@@ -20,8 +20,8 @@ enum class FillRule { nonzero, even_odd };
 /// finite where they are added, and what moves farther is held there.
 inline constexpr double kFarthest = 1e300;
 
-/// A shape in its own coordinates, made of primitives that stay what they are. Its pieces combine
-/// by union.
+/// A shape in its own coordinates, made of parts that stay what they are: convex pieces, circles,
+/// segments, paths of arcs, Bezier curves. Its pieces combine by union.
 ///
 /// Convex pieces lie one after another in `vertices`, counter-clockwise, area > 0. Edges two pieces share
 /// (same two doubles, opposite directions) are inside the shape; `edges` keeps the input's numbers.
@@ -34,7 +34,7 @@ struct Shape {
   std::vector<std::vector<Vec2>> crossing_rings;  ///< drawn by even-odd, never traced
   std::vector<ArcPath> arc_paths;                 ///< closed ones do not cross themselves
   std::vector<Bezier> beziers;                    ///< lines, as segments are
-  /// Index into Scene::changing_shapes: this is then what it is at one of its times.
+  /// Index into Scene::changing_shapes; this shape is then what that one is at one of its times.
   std::uint32_t changes = kNoEntry;
 
   std::size_t piece_count() const { return begin.size() - 1; }
@@ -43,17 +43,17 @@ using ShapeId = std::uint32_t;  ///< index into Scene::shapes
 
 struct ShapeType;
 
-/// Arguments as they were read, of which some numbers are curves.
+/// Arguments as they were read. Some of their numbers may be curves over time.
 struct KeptArguments {
   struct Argument {
     const char* key;
-    std::vector<Moving> numbers;  ///< of a point both; truth values, words and counts as numbers
+    std::vector<Moving> numbers;  ///< two of a point; truth values, words and counts as numbers
     std::string text;
   };
   std::vector<Argument> arguments;
 };
 
-/// A shape of which some numbers are curves.
+/// A shape some of whose numbers are curves over time.
 struct ChangingShape : KeptArguments {
   const ShapeType* type;
 };
@@ -69,7 +69,7 @@ struct LampLight {
   std::shared_ptr<const Spectrum> spectrum;  ///< of a file
 };
 
-/// What a Markov state or sub-state changes; nothing set keeps the own of the entity or lamp.
+/// What a Markov state or sub-state changes. What is not set stays as the entity or lamp has it.
 struct Look {
   std::string name;  ///< of the sub-state, "" if unnamed
   std::optional<ShapeId> shape;
@@ -82,7 +82,7 @@ struct Look {
 using StateId = std::uint32_t;
 
 struct Transition {
-  std::uint64_t cumulative;  ///< a draw <= it takes this one; the last is 2^64 - 1
+  std::uint64_t cumulative;  ///< the first that is >= the draw is taken; the last is 2^64 - 1
   StateId to;
 };
 
@@ -109,10 +109,10 @@ struct MarkovUse {
       looks;  ///< by StateId: its sub-states in order, one a frame; may be empty
 };
 
-/// A way of straight edges, every one longer than 0. A closed one ends where it begins.
+/// A path of straight edges, each longer than 0. A closed path ends where it begins.
 struct Path {
   std::vector<Vec2> points;
-  std::vector<double> lengths;  ///< of the way from the first to each
+  std::vector<double> lengths;  ///< along the path from its first point to each
   bool closed = false;
 };
 
@@ -137,11 +137,11 @@ struct Motion {
 /// Things that move together. A copy of a group is a group of its own.
 struct Group {
   std::string name;
-  std::optional<std::uint32_t> group;  ///< it stands in, of a lower number
+  std::optional<std::uint32_t> group;  ///< the group it stands in, of a lower number
   Vec2 at{0, 0};                       ///< of its origin, in the group it stands in
   double angle = 0;                    ///< radians; what is in it turns about its origin
   double scale = 1;                    ///< > 0; what is in it grows about its origin
-  std::optional<CurveId> scale_curve;  ///< instead of it: >= 0
+  std::optional<CurveId> scale_curve;  ///< instead of `scale`: >= 0
   Vec2 velocity{0, 0};
   double angular_velocity = 0;
   Motion motion;
@@ -149,14 +149,14 @@ struct Group {
   Place where;
 };
 
-/// What a body does that meets another.
+/// What an entity does when it meets another.
 enum class Response : std::uint8_t {
   none,    ///< nothing: it meets none
-  mark,    ///< goes on, and so does who meets it; of each pair the first meeting is told
+  mark,    ///< goes on, and so does the other; the first meeting of each pair is told
   stop,    ///< stands still from then on, or goes with the one that nothing moves
   bounce,  ///< elastically, without friction and turning
   slide,   ///< keeps its velocity along the contact, not the one against it
-  remove   ///< goes, and is a wall to who meets it
+  remove   ///< vanishes; to the other it is a wall
 };
 
 struct Entity {
@@ -176,8 +176,8 @@ struct Entity {
   int layer = 0;
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
   ScattererId scatterer = kNoEntry;  ///< what it does with light; none: what `material` says
-  /// Segments, as its shape is: each leg of light meets its shape or one of them, by chance. All else
-  /// meets its shape.
+  /// Segments, as its shape is. Each leg of light meets its shape or one of these, by chance; all
+  /// else meets its shape.
   std::vector<ShapeId> alternatives;
   std::optional<MarkovUse> markov;
   std::optional<Response> response;  ///< unset: that of Scene::collisions
@@ -186,7 +186,7 @@ struct Entity {
   std::uint64_t order = 0;  ///< of drawing within a layer
 };
 
-/// Convex or simple room with obstacles: rays bounce inside it.
+/// A room, convex or simple, with pillars in it: rays bounce inside.
 struct Chamber {
   std::string name;
   ShapeId shape = 0;
@@ -206,7 +206,8 @@ struct Chamber {
     std::optional<Paint> fill;
     std::optional<Stroke> stroke;
     Place where;
-    /// Of a disc across periodic walls: the one of which this is a copy, as it reaches in; they follow all others.
+    /// Whether it is a disc across periodic walls; and where this is a copy that reaches in from a
+    /// neighbouring cell, of which pillar. Copies follow all other pillars.
     bool across = false;
     std::optional<std::uint32_t> copy_of;
   };
@@ -230,8 +231,9 @@ struct RayPath {
   double angular_velocity = 0;
   Motion motion;
   unsigned bounces = 0;  ///< after which it flies once more
-  /// World units a second when it sets off, in frame 1: mirrors are met where they are when it comes
-  /// there, and what is drawn is its way up to the frame. Unset: those of each frame stand still.
+  /// With which it sets off, in frame 1; world units a second. It meets mirrors where they are when
+  /// it comes there, and its way up to the frame is drawn. Unset: the mirrors of each frame stand
+  /// still.
   std::optional<double> speed;
   Stroke stroke{1.5, true, Colour{0xd6, 0x27, 0x28, 255}};
   std::optional<Colour> hit_points;  ///< marks where it bounces
@@ -239,12 +241,12 @@ struct RayPath {
   std::optional<Colour> numbers;     ///< counts its bounces
   /// Goes along the path as time goes by; the path is drawn as far as it has come.
   struct Ball {
-    double speed = 0;  ///< world units a second; of a ray that has a speed of its own not used
+    double speed = 0;  ///< world units a second; not used where the ray has a speed of its own
     Moving radius{1, {}};
     Colour colour;
   };
   std::optional<Ball> ball;
-  /// Rays that were written as one: a scene holds each by itself.
+  /// Rays that a scene file writes as one; the scene holds each of them by itself.
   struct Fan {
     unsigned count = 1;
     Moving spread{};   ///< radians from the first direction to the last
@@ -301,7 +303,7 @@ enum class ToneCurve : std::uint8_t {
 struct LightSettings {
   std::uint64_t rays = 1'000'000;
   unsigned bounces = 1000;      ///< at most; what is left is cut off, and counted
-  bool bounces_chosen = false;  ///< so that what is cut off is no surprise
+  bool bounces_chosen = false;  ///< by the scene: then what is cut off is not warned of
   unsigned scrambles = 1;       ///< pictures of a part of the rays each: their spread is the error
   std::optional<double> exposure;  ///< light of 1 is shown as this; unset: chosen by the picture
   ToneCurve tone = ToneCurve::soft;
@@ -371,7 +373,7 @@ struct Scene {
   Camera camera;
   std::uint64_t max_corners = std::uint64_t{1} << 25;  ///< of all that one frame draws
   unsigned frames = 1;
-  bool ends = false;  ///< with them: what would come later is not told
+  bool ends = false;  ///< after these frames: none can be drawn beyond them
   double fps = 24;
   std::uint64_t seed = 0;
   std::vector<Shape> shapes;

@@ -7,10 +7,10 @@ namespace {
 
 // Of a hit whose t, rounded to the nearest, may stand for one that is later: rounding keeps order,
 // so only where both are the same the exact t has to be asked.
-bool is_met_by(const Surfaces& walls, const Ray& ray, const NearestHit& hit, const Left& left,
-               bool tangents, double up_to) {
+bool is_met_by(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
+               const DepartedSurface& departed, bool tangents, double up_to) {
   if (!hit || hit.t != up_to) return hit && hit.t < up_to;
-  ExactNearest alone(walls, ray, left, tangents);
+  ExactNearest alone(walls, ray, departed, tangents);
   alone.offer(hit.surface);
   return !alone.time() || alone.time()->compare(up_to) <= 0;
 }
@@ -19,35 +19,40 @@ bool is_met_by(const Surfaces& walls, const Ray& ray, const NearestHit& hit, con
 
 void Accelerator::nearest(const RayBatch& rays, std::span<NearestHit> hits) const {
   for (std::size_t i = 0; i < rays.size(); ++i)
-    hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
+    hits[i] = nearest_of_one(rays.ray(i), rays.departed[i], rays.tangents);
 }
 
-NearestHit Accelerator::nearest_of_one(const Ray& ray, const Left& left, bool tangents) const {
+NearestHit Accelerator::nearest_of_one(const Ray& ray, const DepartedSurface& departed,
+                                       bool tangents) const {
   RayBatch rays;
   rays.tangents = tangents;
-  rays.add(ray, left);
+  rays.add(ray, departed);
   NearestHit hit;
   nearest(rays, {&hit, 1});
   return hit;
 }
 
-std::size_t Accelerator::tested_of_one(const Ray&, const Left&) const { return walls_.size(); }
+std::size_t Accelerator::tested_of_one(const Ray&, const DepartedSurface&) const {
+  return walls_.size();
+}
 
 void Accelerator::any(const RayBatch& rays, std::span<const double> up_to,
                       std::span<std::uint8_t> met) const {
   std::vector<NearestHit> hits(rays.size());
   nearest(rays, hits);
   for (std::size_t i = 0; i < hits.size(); ++i)
-    met[i] = is_met_by(walls_, rays.ray(i), hits[i], rays.left[i], rays.tangents, up_to[i]) ? 1 : 0;
+    met[i] =
+        is_met_by(walls_, rays.ray(i), hits[i], rays.departed[i], rays.tangents, up_to[i]) ? 1 : 0;
 }
 
-bool Accelerator::any_of_one(const Ray& ray, double up_to, const Left& left, bool tangents) const {
-  return is_met_by(walls_, ray, nearest_of_one(ray, left, tangents), left, tangents, up_to);
+bool Accelerator::any_of_one(const Ray& ray, double up_to, const DepartedSurface& departed,
+                             bool tangents) const {
+  return is_met_by(walls_, ray, nearest_of_one(ray, departed, tangents), departed, tangents, up_to);
 }
 
-std::vector<NearestHit> Accelerator::all_of_one(const Ray& ray, const Left& left,
+std::vector<NearestHit> Accelerator::all_of_one(const Ray& ray, const DepartedSurface& departed,
                                                 bool tangents) const {
-  ExactHits every(walls_, ray, left, tangents);
+  ExactHits every(walls_, ray, departed, tangents);
   every.offers().offer_all();
   return every.hits();
 }
@@ -57,7 +62,7 @@ void Accelerator::all(const RayBatch& rays, std::vector<NearestHit>& hits,
   hits.clear();
   ends.clear();
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const std::vector<NearestHit> met = all_of_one(rays.ray(i), rays.left[i], rays.tangents);
+    const std::vector<NearestHit> met = all_of_one(rays.ray(i), rays.departed[i], rays.tangents);
     hits.insert(hits.end(), met.begin(), met.end());
     ends.push_back(hits.size());
   }

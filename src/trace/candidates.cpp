@@ -34,7 +34,7 @@ void Candidates::offer_segment(std::uint32_t slot, double limit) {
 }
 
 void Candidates::offer_curve(std::uint32_t surface) {
-  const bool left = surface == left_.surface;
+  const bool left = surface == departed_.surface;
   if (is_known(surface)) return;
   ++tested_;
   const FilteredCurve hit =
@@ -63,7 +63,7 @@ NearestHit Candidates::first(bool tangents) {
                   [](const Candidate& a, const Candidate& b) { return a.surface == b.surface; }),
       open_.end());
   if (open_.size() == 1 && open_.front().sure) return crossed(open_.front());
-  ExactNearest search(walls_, ray_, left_, tangents);
+  ExactNearest search(walls_, ray_, departed_, tangents);
   for (const Candidate& candidate : open_) search.offer(candidate.surface);
   return search.hit();
 }

@@ -14,14 +14,16 @@ class Candidates {
  public:
   /// Needs   `walls`, `ray` and `left` to outlive it; a direction that is not zero. What is surely
   ///         met later than `limit` is no candidate.
-  Candidates(const Surfaces& walls, const Ray& ray, const Left& left, double limit = kInfinity)
-      : walls_(walls), ray_(ray), left_(left), filter_(ray), high_(limit) {}
+  Candidates(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
+             double limit = kInfinity)
+      : walls_(walls), ray_(ray), departed_(departed), filter_(ray), high_(limit) {}
 
   /// A segment that the ray has not left; it need not be counted where it is surely met later than
   /// `limit`.
   void offer_segment(std::uint32_t slot, double limit = kInfinity);
   void offer_curve(std::uint32_t surface);
-  /// A segment that is surely crossed between its ends, at `t` within an ulp; NaN where t is not known.
+  /// A segment that is surely crossed between its ends; `t` is the nearest double, NaN where not
+  /// known.
   void take_segment(std::uint32_t slot, double t);
 
   /// Whether nothing met later than t can be the first.
@@ -40,7 +42,7 @@ class Candidates {
     double low;           // t is not surely less
     bool sure;            // surely met
     Root root;            // then, of a curve
-    double t = kUnknown;  // exact to half an ulp, where known
+    double t = kUnknown;  // the nearest double, where known
   };
   bool is_known(std::uint32_t surface) const;
   void take(const Candidate& candidate, double high);
@@ -48,7 +50,7 @@ class Candidates {
 
   const Surfaces& walls_;
   const Ray& ray_;
-  const Left& left_;
+  const DepartedSurface& departed_;
   const SegmentFilter filter_;
   std::vector<Candidate> open_;
   double high_;

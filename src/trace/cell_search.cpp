@@ -10,9 +10,9 @@ namespace flatray {
 namespace {
 
 // A segment, or of the one just left its next copy, which may be none.
-std::uint32_t not_left(const Surfaces& walls, const CellGrid* listed, const Left& left,
-                       std::uint32_t slot) {
-  if (walls.segment_numbers[slot] != left.surface) return slot;
+std::uint32_t not_departed(const Surfaces& walls, const CellGrid* listed,
+                           const DepartedSurface& departed, std::uint32_t slot) {
+  if (walls.segment_numbers[slot] != departed.surface) return slot;
   return listed == nullptr ? CellGrid::kNoSlot : listed->next_copy(slot);
 }
 
@@ -40,12 +40,12 @@ void visit_segments(const Surfaces& walls, const CellGrid* listed, const CellGri
 }  // namespace
 
 // All that the walks of cells offer.
-Candidates CellSearch::candidates(const Ray& ray, const Left& left) const {
-  Candidates found(walls_, ray, left);
+Candidates CellSearch::candidates(const Ray& ray, const DepartedSurface& departed) const {
+  Candidates found(walls_, ray, departed);
   visit_segments(
       walls_, listed_, grid_, ray,
       [&](std::uint32_t slot, double limit) {
-        slot = not_left(walls_, listed_, left, slot);
+        slot = not_departed(walls_, listed_, departed, slot);
         if (slot != CellGrid::kNoSlot) found.offer_segment(slot, limit);
       },
       [&](double t) { return found.settled(t); });
@@ -69,8 +69,9 @@ std::vector<std::uint32_t> CellSearch::segments_near(const Ray& ray) const {
   return slots;
 }
 
-std::vector<NearestHit> CellSearch::all(const Ray& ray, const Left& left, bool tangents) const {
-  ExactHits every(walls_, ray, left, tangents);
+std::vector<NearestHit> CellSearch::all(const Ray& ray, const DepartedSurface& departed,
+                                        bool tangents) const {
+  ExactHits every(walls_, ray, departed, tangents);
   if (ray.direction == Vec2(0, 0)) {
     every.offers().offer_all();
     return every.hits();
@@ -83,18 +84,19 @@ std::vector<NearestHit> CellSearch::all(const Ray& ray, const Left& left, bool t
   return every.hits();
 }
 
-NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) const {
+NearestHit CellSearch::nearest(const Ray& ray, const DepartedSurface& departed,
+                               bool tangents) const {
   if (ray.direction == Vec2(0, 0)) {
-    ExactNearest search(walls_, ray, left, tangents);
+    ExactNearest search(walls_, ray, departed, tangents);
     search.offer_all();
     return search.hit();
   }
-  return candidates(ray, left).first(tangents);
+  return candidates(ray, departed).first(tangents);
 }
 
-std::size_t CellSearch::tested(const Ray& ray, const Left& left) const {
+std::size_t CellSearch::tested(const Ray& ray, const DepartedSurface& departed) const {
   if (ray.direction == Vec2(0, 0)) return walls_.size();
-  return candidates(ray, left).tested();
+  return candidates(ray, departed).tested();
 }
 
 }  // namespace flatray

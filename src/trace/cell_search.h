@@ -19,14 +19,14 @@ class CellSearch {
         curves_(curves),
         listed_(grid),
         grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
-  NearestHit nearest(const Ray& ray, const Left& left, bool tangents) const;
+  NearestHit nearest(const Ray& ray, const DepartedSurface& departed, bool tangents) const;
   /// Walls that it looks at for that, those in several cells once for each.
-  std::size_t tested(const Ray& ray, const Left& left) const;
+  std::size_t tested(const Ray& ray, const DepartedSurface& departed) const;
   /// Every hit, in order (Accelerator::all_of_one).
-  std::vector<NearestHit> all(const Ray& ray, const Left& left, bool tangents) const;
+  std::vector<NearestHit> all(const Ray& ray, const DepartedSurface& departed, bool tangents) const;
 
  private:
-  Candidates candidates(const Ray& ray, const Left& left) const;
+  Candidates candidates(const Ray& ray, const DepartedSurface& departed) const;
   std::vector<std::uint32_t> segments_near(const Ray& ray) const;
 
   const Surfaces& walls_;

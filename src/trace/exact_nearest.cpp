@@ -3,10 +3,11 @@
 #include <algorithm>
 
 namespace flatray {
-ExactNearest::ExactNearest(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents)
+ExactNearest::ExactNearest(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
+                           bool tangents)
     : walls_(walls),
       ray_(ray),
-      left_(left),
+      departed_(departed),
       tangents_(tangents),
       point_test_(ray.direction == Vec2(0, 0)) {}
 
@@ -34,12 +35,12 @@ void ExactNearest::offer_point_test(std::uint32_t number, PlaceOn place) {
 }
 
 void ExactNearest::offer(std::uint32_t surface) {
-  const bool left = surface == left_.surface;
+  const bool left = surface == departed_.surface;
   walls_.visit(surface, [&](const auto& wall) {
-    if (left && is_left_for_good(wall, left_.root)) return;
+    if (left && is_departed_for_good(wall, departed_.root)) return;
     if (point_test_) return offer_point_test(surface, place_on(wall, ray_.origin));
     met_.clear();
-    meet(wall, ray_, {left ? left_.root : Root::none, tangents_, every_ != nullptr}, met_);
+    meet(wall, ray_, {left ? departed_.root : Root::none, tangents_, every_ != nullptr}, met_);
     for (const WallMeeting& met : met_)
       offer({surface, met.kind, met.root, met.at_end, 0}, met.time);
   });
@@ -55,8 +56,9 @@ NearestHit ExactNearest::hit() const {
   return hit;
 }
 
-ExactHits::ExactHits(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents)
-    : search_(walls, ray, left, tangents) {
+ExactHits::ExactHits(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
+                     bool tangents)
+    : search_(walls, ray, departed, tangents) {
   search_.every_ = &every_;
 }
 

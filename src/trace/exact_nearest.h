@@ -13,7 +13,8 @@ namespace flatray {
 class ExactNearest {
  public:
   /// Needs   `walls` and what `left` names to outlive it.
-  ExactNearest(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents);
+  ExactNearest(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
+               bool tangents);
 
   /// Offers a wall; what the ray does not meet, or has just left, changes nothing.
   void offer(std::uint32_t surface);
@@ -30,7 +31,7 @@ class ExactNearest {
 
   const Surfaces& walls_;
   Ray ray_;
-  Left left_;
+  DepartedSurface departed_;
   bool tangents_, point_test_;
   NearestHit best_;
   std::optional<HitTime> best_time_;
@@ -45,7 +46,7 @@ class ExactNearest {
 /// All hits of one ray among the walls offered, by the same rules.
 class ExactHits {
  public:
-  ExactHits(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents);
+  ExactHits(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed, bool tangents);
   ExactNearest& offers() { return search_; }
   /// By t, equal t by number; of a curve the earlier root first.
   std::vector<NearestHit> hits();

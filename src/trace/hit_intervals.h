@@ -2,7 +2,7 @@
 #include <span>
 
 #include "base/isa.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "trace/rays.h"
 
 namespace flatray {

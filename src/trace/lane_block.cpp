@@ -26,8 +26,8 @@ unsigned long word_of(std::uint32_t surface, HitClass kind) {
 lanes::Walking columns_of(float* column, const float* numbers, std::size_t room) {
   lanes::Walking w{};
   w.number = numbers;
-  for (float** each : {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax,
-                       &w.left_ay, &w.left_bx, &w.end_low, &w.end_high})
+  for (float** each : {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.departed_ax,
+                       &w.departed_ay, &w.departed_bx, &w.end_low, &w.end_high})
     *each = std::exchange(column, column + room);
   return w;
 }
@@ -43,7 +43,7 @@ LaneBlock::LaneBlock(const Surfaces& walls, const CellGrid& cells, const lanes::
       room_(RayBlock::whole_vectors(most) + kVector),
       numbers_(room_),
       columns_(kColumns * room_),
-      left_(room_),
+      departed_(room_),
       fate_(room_),
       found_(room_),
       open_(room_) {
@@ -68,7 +68,7 @@ std::span<const int> LaneBlock::walk(std::span<const double> up_to) {
   bool some_unable = false;
   if (some_have_left()) {
     some_unable = find_left();
-    w.left = left_.data();
+    w.departed = departed_.data();
   }
   some_unable = kernels_.prepare(grid_, given_, w, fate_.data()) || some_unable;
   (grid_.cells != nullptr ? kernels_.walk : kernels_.scan)(grid_, w, found_.data());
@@ -87,7 +87,8 @@ std::span<const int> LaneBlock::finish(NearestHit* hits) {
 
 bool LaneBlock::some_have_left() const {
   std::uint32_t none = kNoSurface;  // all bits
-  for (const Left& each : std::span(rays_->left).subspan(begin_, count_)) none &= each.surface;
+  for (const DepartedSurface& each : std::span(rays_->departed).subspan(begin_, count_))
+    none &= each.surface;
   return none != kNoSurface;
 }
 
@@ -95,10 +96,10 @@ bool LaneBlock::some_have_left() const {
 bool LaneBlock::find_left() {
   static_assert(kNoSurface == lanes::kNone);
   bool some_unable = false;
-  std::fill(left_.begin() + static_cast<std::ptrdiff_t>(count_), left_.end(), lanes::kNone);
+  std::fill(departed_.begin() + static_cast<std::ptrdiff_t>(count_), departed_.end(), lanes::kNone);
   for (std::size_t i = 0; i < count_; ++i) {
-    left_[i] = walls_.segment_slot(rays_->left[begin_ + i].surface);
-    if (left_[i] == lanes::kNone || !cells_.is_ambiguous(left_[i])) continue;
+    departed_[i] = walls_.segment_slot(rays_->departed[begin_ + i].surface);
+    if (departed_[i] == lanes::kNone || !cells_.is_ambiguous(departed_[i])) continue;
     fate_[i] = lanes::kDoubt;
     some_unable = true;
   }

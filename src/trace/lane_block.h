@@ -32,7 +32,7 @@ class LaneBlock {
   const lanes::WalkKernels& kernels_;
   const std::size_t room_;
   std::vector<float> numbers_, columns_;
-  std::vector<unsigned> left_;
+  std::vector<unsigned> departed_;
   std::vector<int> fate_, found_, open_;
   std::vector<double> ends_;
   const RayBatch* rays_ = nullptr;

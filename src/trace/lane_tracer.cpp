@@ -41,7 +41,7 @@ class LaneTracer : public Accelerator {
         if (hits[i].kind == HitClass::along)
           find_single(rays, i, hits);
         else
-          hits[i] = with_curves(hits[i], rays.ray(i), rays.left[i], rays.tangents);
+          hits[i] = with_curves(hits[i], rays.ray(i), rays.departed[i], rays.tangents);
     });
   }
   // No ray goes on beyond its end, nor asks which wall of those it meets is the first.
@@ -53,7 +53,8 @@ class LaneTracer : public Accelerator {
       for (const int found : block.walk(up_to)) {
         const bool open =
             found == lanes::kDoubt || (found < 0 && may_meet_curve(rays, i, up_to[i]));
-        met[i] = open ? any_of_one(rays.ray(i), up_to[i], rays.left[i], rays.tangents) : found >= 0;
+        met[i] =
+            open ? any_of_one(rays.ray(i), up_to[i], rays.departed[i], rays.tangents) : found >= 0;
         ++i;
       }
     });
@@ -68,25 +69,26 @@ class LaneTracer : public Accelerator {
     });
     return left;
   }
-  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
-    const std::uint32_t slot = walls_.segment_slot(left.surface);
+  NearestHit nearest_of_one(const Ray& ray, const DepartedSurface& departed,
+                            bool tangents) const override {
+    const std::uint32_t slot = walls_.segment_slot(departed.surface);
     if (!cells_ || (slot != kNoSurface && cells_->next_copy(slot) != CellGrid::kNoSlot))
-      return search_.nearest(ray, left, tangents);
+      return search_.nearest(ray, departed, tangents);
     const lanes::SingleHit found = kernels_.single_ray(view_, ray.origin.x(), ray.origin.y(),
                                                        ray.direction.x(), ray.direction.y(), slot);
     if (found.found == lanes::kDoubt || std::isnan(found.t))
-      return search_.nearest(ray, left, tangents);
+      return search_.nearest(ray, departed, tangents);
     const NearestHit hit =
         found.found < 0 ? NearestHit{}
                         : NearestHit{found.slot, HitClass::touch, Root::none, false, found.t};
-    return walls_.curve_numbers.empty() ? hit : with_curves(hit, ray, left, tangents);
+    return walls_.curve_numbers.empty() ? hit : with_curves(hit, ray, departed, tangents);
   }
-  std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
+  std::vector<NearestHit> all_of_one(const Ray& ray, const DepartedSurface& departed,
                                      bool tangents) const override {
-    return search_.all(ray, left, tangents);
+    return search_.all(ray, departed, tangents);
   }
-  std::size_t tested_of_one(const Ray& ray, const Left& left) const override {
-    return search_.tested(ray, left);
+  std::size_t tested_of_one(const Ray& ray, const DepartedSurface& departed) const override {
+    return search_.tested(ray, departed);
   }
   std::size_t bytes() const override { return (cells_ ? cells_->bytes() : 0) + curves_.bytes(); }
   std::string structure() const override {
@@ -115,7 +117,7 @@ class LaneTracer : public Accelerator {
   bool may_meet_curve(const RayBatch& rays, std::size_t i, double up_to) const {
     if (up_to < 0) return false;
     const Ray ray = rays.ray(i);
-    Candidates found(walls_, ray, rays.left[i], up_to * (1 + 0x1p-50) + kUnderflowError);
+    Candidates found(walls_, ray, rays.departed[i], up_to * (1 + 0x1p-50) + kUnderflowError);
     curves_.offer_to(found, ray);
     return !found.empty();
   }
@@ -132,13 +134,13 @@ class LaneTracer : public Accelerator {
   }
 
   void find_single(const RayBatch& rays, std::size_t i, std::span<NearestHit> hits) const {
-    hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);
+    hits[i] = search_.nearest(rays.ray(i), rays.departed[i], rays.tangents);
   }
 
   // Of what is sure of the segments, by slot, and the curves.
-  NearestHit with_curves(const NearestHit& segment, const Ray& ray, const Left& left,
+  NearestHit with_curves(const NearestHit& segment, const Ray& ray, const DepartedSurface& departed,
                          bool tangents) const {
-    Candidates found(walls_, ray, left);
+    Candidates found(walls_, ray, departed);
     if (segment) found.take_segment(segment.surface, segment.t);
     curves_.offer_to(found, ray);
     return found.first(tangents);

@@ -11,9 +11,8 @@ namespace flatray {
 using CellBuilder = std::function<std::optional<CellGrid>(const Surfaces& walls)>;
 
 /// Nearest hits by the kernels of tier `isa`: through cells, or every segment where there are none.
-/// What the lanes are not certain of is decided one by one, curves after the segments. Where
-/// coordinates leave no room for lanes, walls are scaled by a power of two, or every ray is decided
-/// so.
+/// What the lanes are not certain of is decided one by one, and so are curves, after the segments.
+/// Where coordinates are too large or too small for lanes, every ray is decided one by one.
 ///
 /// Needs   `walls` to outlive it.
 /// Gives   the same bits from every tier, and as every exact tracer.

@@ -11,7 +11,7 @@ inline constexpr std::size_t kMostRaysOneByOne = 16;
 inline RayBatch many_of(const RayBatch& rays) {
   RayBatch many = rays;
   for (std::size_t i = 0; rays.size() > 0 && many.size() <= kMostRaysOneByOne; ++i)
-    many.add(rays.ray(i % rays.size()), rays.left[i % rays.size()]);
+    many.add(rays.ray(i % rays.size()), rays.departed[i % rays.size()]);
   return many;
 }
 

@@ -50,7 +50,7 @@ bool is_on(const Arc& arc, const Pair<Number>& w) {
 
 /// Puts arc `number` into competition with the best hit so far, whose t is `best.t`.
 template <class Number>
-void offer(const Arc& arc, std::uint32_t number, const Ray& ray, const Left& left,
+void offer(const Arc& arc, std::uint32_t number, const Ray& ray, const DepartedSurface& departed,
            NearestHit& best) {
   const auto number_of = [](double x) { return static_cast<Number>(x); };
   const auto d = pair_of(number_of, ray.direction);
@@ -63,7 +63,8 @@ void offer(const Arc& arc, std::uint32_t number, const Ray& ray, const Left& lef
   for (const Root which : {Root::first, Root::second}) {
     const Number time = (which == Root::first ? -b - root : -b + root) / a;
     const double t = static_cast<double>(time);
-    const bool stood_on = number == left.surface && (left.root == which || left.root == Root::both);
+    const bool stood_on =
+        number == departed.surface && (departed.root == which || departed.root == Root::both);
     if (stood_on || !(t >= 0 && t < best.t) || !is_on(arc, w + time * d)) continue;
     best = {number, HitClass::through, which, false, t};
   }
@@ -72,8 +73,8 @@ void offer(const Arc& arc, std::uint32_t number, const Ray& ray, const Left& lef
 /// Of a Bezier curve, by bisection between places where what is beside the ray changes its sign. What
 /// the ray has left is the root nearest to its origin.
 template <class Number>
-void offer(const Bezier& wall, std::uint32_t number, const Ray& ray, const Left& left,
-           NearestHit& best) {
+void offer(const Bezier& wall, std::uint32_t number, const Ray& ray,
+           const DepartedSurface& departed, NearestHit& best) {
   constexpr int kParts = 16, kHalvings = 50;
   const auto number_of = [](double x) { return static_cast<Number>(x); };
   const auto beside = beside_ray(number_of, wall, ray), ahead = ahead_of_ray(number_of, wall, ray);
@@ -90,7 +91,7 @@ void offer(const Bezier& wall, std::uint32_t number, const Ray& ray, const Left&
     const auto t = static_cast<double>(bernstein_value(ahead, high) / dot(d, d));
     met.push_back({number, HitClass::through, to ? Root::first : Root::second, false, t});
   }
-  if (number == left.surface && left.root != Root::none && !met.empty())
+  if (number == departed.surface && departed.root != Root::none && !met.empty())
     met.erase(std::min_element(met.begin(), met.end(), [](const auto& a, const auto& b) {
       return std::fabs(a.t) < std::fabs(b.t);
     }));
@@ -100,20 +101,21 @@ void offer(const Bezier& wall, std::uint32_t number, const Ray& ray, const Left&
 
 /// For who visits walls that may be straight.
 template <class Number>
-void offer(const Segment&, std::uint32_t, const Ray&, const Left&, NearestHit&) {}
+void offer(const Segment&, std::uint32_t, const Ray&, const DepartedSurface&, NearestHit&) {}
 
 /// The same of curved wall `number`.
 template <class Number>
-void offer_curve(const Surfaces& walls, std::uint32_t number, const Ray& ray, const Left& left,
-                 NearestHit& best) {
-  walls.visit(number, [&](const auto& wall) { offer<Number>(wall, number, ray, left, best); });
+void offer_curve(const Surfaces& walls, std::uint32_t number, const Ray& ray,
+                 const DepartedSurface& departed, NearestHit& best) {
+  walls.visit(number, [&](const auto& wall) { offer<Number>(wall, number, ray, departed, best); });
 }
 
 /// The same of all curved walls.
 template <class Number>
-void offer_curves(const Surfaces& walls, const Ray& ray, const Left& left, NearestHit& best) {
+void offer_curves(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
+                  NearestHit& best) {
   for (const std::uint32_t number : walls.curve_numbers)
-    offer_curve<Number>(walls, number, ray, left, best);
+    offer_curve<Number>(walls, number, ray, departed, best);
 }
 
 }  // namespace flatray::plain

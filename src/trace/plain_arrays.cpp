@@ -28,9 +28,10 @@ Status check_range(Range within) {
 Status check_rays(const Rays& rays, std::size_t walls) {
   const Status fault = check_columns({rays.ox, rays.oy, rays.dx, rays.dy});
   if (!fault) return fault;
-  if (!rays.left.empty() && rays.left.size() != rays.size()) return {Fault::sizes, 0};
-  for (std::size_t i = 0; i < rays.left.size(); ++i)
-    if (rays.left[i].wall >= walls && rays.left[i].wall != kNoWall) return {Fault::no_such, i};
+  if (!rays.departed.empty() && rays.departed.size() != rays.size()) return {Fault::sizes, 0};
+  for (std::size_t i = 0; i < rays.departed.size(); ++i)
+    if (rays.departed[i].wall >= walls && rays.departed[i].wall != kNoWall)
+      return {Fault::no_such, i};
   return {};
 }
 
@@ -56,7 +57,8 @@ void load(const Rays& rays, std::size_t begin, std::size_t count, RayBatch& batc
   batch.tangents = rays.tangents;
   batch.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Left from = rays.left.empty() ? Left{} : rays.left[begin + i];
+    const DepartedSurface from =
+        rays.departed.empty() ? DepartedSurface{} : rays.departed[begin + i];
     batch.set(i, ray_of(rays, begin + i), {from.wall, static_cast<flatray::Root>(from.root)});
   }
 }
@@ -66,8 +68,8 @@ Interval interval_of(const HitInterval& hit) {
           hit.t_exit,
           hit.edge_enter,
           hit.edge_exit,
-          static_cast<Meeting>(hit.kind),
-          static_cast<Place>(hit.start),
+          static_cast<HitClass>(hit.kind),
+          static_cast<StartPlace>(hit.start),
           hit.enter_overflows,
           hit.exit_overflows};
 }

@@ -60,20 +60,20 @@ class Polygons : public Accelerator {
     }
   }
 
-  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool) const override {
+  NearestHit nearest_of_one(const Ray& ray, const DepartedSurface& departed, bool) const override {
     const auto start = start_of<Number>(ray);
     NearestHit best;
     for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
       const Interval<Number> inside =
           clip<Number>(start, std::span(edges_).subspan(begin_[i], begin_[i + 1] - begin_[i]));
       if (!(inside.t_enter <= inside.t_exit)) continue;
-      const bool enters = inside.t_enter >= 0 && inside.entered != left.surface;
+      const bool enters = inside.t_enter >= 0 && inside.entered != departed.surface;
       const Number t = enters ? inside.t_enter : inside.t_exit;
       const std::uint32_t surface = enters ? inside.entered : inside.left;
-      if (surface == left.surface || !(t >= 0 && static_cast<double>(t) < best.t)) continue;
+      if (surface == departed.surface || !(t >= 0 && static_cast<double>(t) < best.t)) continue;
       best = {surface, HitClass::touch, Root::none, false, static_cast<double>(t)};
     }
-    offer_curves<Number>(walls_, ray, left, best);
+    offer_curves<Number>(walls_, ray, departed, best);
     return best;
   }
   std::size_t bytes() const override {

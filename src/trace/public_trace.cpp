@@ -15,11 +15,12 @@ namespace {
 static_assert(kNoWall == kNoSurface && static_cast<int>(Root::both) == 3 &&
               static_cast<int>(flatray::Root::both) == 3 &&
               static_cast<int>(Root::fourth) == static_cast<int>(flatray::Root::fourth) &&
-              static_cast<int>(Meeting::through) == static_cast<int>(HitClass::through) &&
-              static_cast<int>(Place::inside) == static_cast<int>(StartPlace::inside));
+              static_cast<int>(HitClass::through) == static_cast<int>(flatray::HitClass::through) &&
+              static_cast<int>(StartPlace::inside) ==
+                  static_cast<int>(flatray::StartPlace::inside));
 
 Hit hit_of(const NearestHit& hit) {
-  return {hit.t, hit.surface, static_cast<Meeting>(hit.kind), static_cast<Root>(hit.root),
+  return {hit.t, hit.surface, static_cast<HitClass>(hit.kind), static_cast<Root>(hit.root),
           hit.at_end};
 }
 
@@ -95,7 +96,7 @@ Status RayTracer::all(const Rays& rays, std::vector<Hit>& hits,
   in_batches(rays, [&](const RayBatch& batch, std::size_t begin) {
     for (std::size_t i = 0; i < batch.size(); ++i) {
       for (const NearestHit& hit :
-           data_->ready->all_of_one(batch.ray(i), batch.left[i], batch.tangents))
+           data_->ready->all_of_one(batch.ray(i), batch.departed[i], batch.tangents))
         hits.push_back(hit_of(hit));
       ends[begin + i] = hits.size();
     }

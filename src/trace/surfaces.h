@@ -9,13 +9,14 @@ namespace flatray {
 /// No surface: a ray that hits nothing, or has left none.
 inline constexpr std::uint32_t kNoSurface = 0xffffffffU;
 
-/// Walls as flat arrays of each kind of primitive (geom/primitives/wall.h); the numbers lead back.
+/// Walls in flat arrays, one for each kind of primitive (geom/primitives/wall.h). A surface is a
+/// wall by its number, a slot its place in the array of its kind.
 struct Surfaces {
   std::vector<Segment> segments;
   std::vector<Arc> arcs;  ///< circles and ellipses, whole or parts of them
   std::vector<Bezier> beziers;
-  std::vector<std::uint32_t> segment_numbers;  ///< surface by slot, ascending
-  std::vector<std::uint32_t> curve_numbers;    ///< of all that is no segment, ascending
+  std::vector<std::uint32_t> segment_numbers;  ///< the surface in each slot, ascending
+  std::vector<std::uint32_t> curve_numbers;    ///< the surfaces that are no segments, ascending
 
   std::size_t size() const { return slots_.size(); }
   /// Puts a wall at the end and gives its number. Needs finite coordinates, radius >= 0, and
@@ -27,21 +28,21 @@ struct Surfaces {
     return add(Arc{wall, Arc::Extent::whole, {0, 0}, {0, 0}});
   }
 
-  /// What `use` makes of a wall, as the primitive that it is.
+  /// Calls `use` with a wall as the primitive that it is, and gives what `use` gives.
   template <class Use>
   decltype(auto) visit(std::uint32_t surface, const Use& use) const {
     const std::uint32_t slot = slots_[surface];
     if (slot < kCurved) return use(segments[slot]);
     return slot < kBezier ? use(arcs[slot - kCurved]) : use(beziers[slot - kBezier]);
   }
-  /// The same of a segment or an arc. Nothing checks that it is one: callers know, as
-  /// OffsetOrigins::Wall::is_plain and scene/moving_mirrors.cpp say.
+  /// The same of a segment or an arc. Callers know that it is one, as OffsetOrigins::Wall::is_plain
+  /// and scene/moving_mirrors.cpp say; of another it throws std::out_of_range.
   template <class Use>
   decltype(auto) visit_line_or_arc(std::uint32_t surface, const Use& use) const {
     const std::uint32_t slot = slots_[surface];
-    return slot < kCurved ? use(segments[slot]) : use(arcs[slot - kCurved]);
+    return slot < kCurved ? use(segments[slot]) : use(arcs.at(slot - kCurved));
   }
-  /// Where among the segments a wall is; kNoSurface for what is none.
+  /// The slot of a wall that is a segment; else kNoSurface.
   std::uint32_t segment_slot(std::uint32_t surface) const {
     return surface != kNoSurface && slots_[surface] < kCurved ? slots_[surface] : kNoSurface;
   }

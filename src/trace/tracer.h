@@ -21,39 +21,41 @@ class Accelerator {
   Accelerator(const Accelerator&) = delete;
   Accelerator& operator=(const Accelerator&) = delete;
 
-  /// The first wall of each ray. What is derived has an answer of its own to this or to nearest_of_one(): each is
-  /// made of the other.
+  /// The first wall of each ray. A derived class overrides this or nearest_of_one(), of which each
+  /// calls the other.
   ///
   /// Needs   as many hits as rays; finite coordinates. A zero direction asks what the origin lies
   ///         on.
   virtual void nearest(const RayBatch& rays, std::span<NearestHit> hits) const;
   /// The first wall of one ray, on which the lanes of a batch would be wasted.
-  virtual NearestHit nearest_of_one(const Ray& ray, const Left& left = {},
+  virtual NearestHit nearest_of_one(const Ray& ray, const DepartedSurface& departed = {},
                                     bool tangents = true) const;
-  /// Walls looked at to find that of one ray, those looked at twice counted twice: over all walls the
-  /// measure of the paper. Of a search in double precision; lanes look at a few more.
-  virtual std::size_t tested_of_one(const Ray& ray, const Left& left = {}) const;
-  /// Rays that are decided one by one, after lanes that could not be certain: all, where there are no
+  /// How many walls are looked at to find the first of one ray, where one looked at twice counts
+  /// twice; divided by the number of walls it is the measure of the paper. It counts the search in
+  /// double precision; lanes look at a few more.
+  virtual std::size_t tested_of_one(const Ray& ray, const DepartedSurface& departed = {}) const;
+  /// How many rays are decided one by one, as lanes could not be certain: all, where there are no
   /// lanes. For statistics; costs what the lanes do.
   virtual std::size_t left_by_lanes(const RayBatch& rays) const { return rays.size(); }
-  /// Whether each ray meets a wall at `up_to` or before: 1 or 0.
+  /// Whether each ray meets a wall at t <= `up_to`: 1 or 0.
   ///
   /// Needs   as many of both as rays.
   /// Gives   of exact tracers the exact answer, also where t rounds to `up_to`.
   virtual void any(const RayBatch& rays, std::span<const double> up_to,
                    std::span<std::uint8_t> met) const;
-  bool any_of_one(const Ray& ray, double up_to, const Left& left = {}, bool tangents = true) const;
+  bool any_of_one(const Ray& ray, double up_to, const DepartedSurface& departed = {},
+                  bool tangents = true) const;
   /// Every wall a ray meets, in order of t, those met together by number.
   ///
-  /// Gives   a wall that the ray runs along once, a curve once for each point met. A wall just left is not
-  ///         met, as in nearest(). Of every tracer the exact hits.
+  /// Gives   a wall along which the ray runs once, a curve once for each point met. A wall just
+  ///         left is not met, as in nearest(). Every tracer gives the exact hits.
   /// Cost    some us, and 1 us a hit.
-  virtual std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left = {},
+  virtual std::vector<NearestHit> all_of_one(const Ray& ray, const DepartedSurface& departed = {},
                                              bool tangents = true) const;
   /// The same of many rays, one after the other: `ends[i]` is where those of ray i end.
   void all(const RayBatch& rays, std::vector<NearestHit>& hits,
            std::vector<std::size_t>& ends) const;
-  /// What it holds beside the walls themselves.
+  /// Bytes that it holds besides the walls themselves.
   virtual std::size_t bytes() const = 0;
   /// How the walls are kept, in words, and how many cells that makes: 0 where all is in lists.
   virtual std::string structure() const { return "one list"; }

@@ -22,10 +22,10 @@ struct ExactOrigin {
 /// On which side of a wall: where the ray comes from, or beyond.
 enum class GoesOn : std::uint8_t { back, through };
 
-/// Rounds hits so that nothing leaks: the nearest double, at most 2 ulp off in each coordinate, on
-/// the closed inner side of the wall hit (the one the ray comes from, or beyond), on no other wall, and on the
-/// same side as the exact hit of every wall that passes there. A hit with no such double, at an end
-/// of its wall, or on another wall is a corner.
+/// Rounds hits so that nothing leaks. Of the doubles at most 2 ulp off in each coordinate it takes
+/// the nearest that lies on the closed side of the wall to which the ray goes on, lies on no other
+/// wall, and lies on the side of the exact hit of every wall that passes there. A hit is a corner
+/// where there is no such double, at an end of its wall, and on another wall.
 class ExactOrigins {
  public:
   /// Needs   `walls` to outlive it.

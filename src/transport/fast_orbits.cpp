@@ -89,17 +89,19 @@ class FirstDeed : public OrbitSink {
 // Arrays of lanes.
 using Lanes = std::array<double, kWave>;
 struct RayLanes {
-  Lanes x{}, y{}, dx{}, dy{}, left{};
+  Lanes x{}, y{}, dx{}, dy{}, departed{};
 
-  flights::Rays rays() { return {x.data(), y.data(), dx.data(), dy.data(), left.data()}; }
+  flights::Rays rays() { return {x.data(), y.data(), dx.data(), dy.data(), departed.data()}; }
   Vec2 point(std::size_t i) const { return {x[i], y[i]}; }
   Vec2 direction(std::size_t i) const { return {dx[i], dy[i]}; }
   void set(std::size_t i, const Vec2& at, const Vec2& towards, double slot) {
     x[i] = at.x(), y[i] = at.y();
     dx[i] = towards.x(), dy[i] = towards.y();
-    left[i] = slot;
+    departed[i] = slot;
   }
-  void move(std::size_t from, std::size_t to) { set(to, point(from), direction(from), left[from]); }
+  void move(std::size_t from, std::size_t to) {
+    set(to, point(from), direction(from), departed[from]);
+  }
 };
 
 // What a lane's orbit has done.
@@ -129,12 +131,12 @@ class FastOrbits::Wave {
 
  private:
   void set_off(RayLanes& rays, std::size_t lane) {
-    const auto& [ray, left, chance] = starts_[next_];
-    const bool on_wall = left.surface != kNoSurface;
+    const auto& [ray, departed, chance] = starts_[next_];
+    const bool on_wall = departed.surface != kNoSurface;
     rays.set(lane, ray.origin, unit(ray.direction),
-             on_wall ? orbits_.slots_[left.surface] + (enters(left.root) ? 0.5 : 0) : -1);
+             on_wall ? orbits_.slots_[departed.surface] + (enters(departed.root) ? 0.5 : 0) : -1);
     progress_[lane] = {next_++};
-    progress_[lane].exact = on_wall ? left.root == Root::both : orbits_.is_at_wall(ray.origin);
+    progress_[lane].exact = on_wall ? departed.root == Root::both : orbits_.is_at_wall(ray.origin);
   }
 
   // All rays to their next walls; from the last to the first, so that one behind can take the place of
@@ -203,7 +205,7 @@ class FastOrbits::Wave {
     Progress& orbit = progress_[i];
     ++counts_.exact;
     FirstDeed deed;
-    const OrbitStart start{{from.point(i), from.direction(i)}, left_of(from.left[i])};
+    const OrbitStart start{{from.point(i), from.direction(i)}, departed_of(from.departed[i])};
     orbits_.exact_.follow(std::span(&start, 1), 1, deed);
     for (const Crossing& one : deed.crossings) {
       sink_.cross(orbit.number, one.from, one.to, one.step);
@@ -222,7 +224,7 @@ class FastOrbits::Wave {
   }
 
   // The wall that a number of lanes says, and back.
-  Left left_of(double slot) const {
+  DepartedSurface departed_of(double slot) const {
     if (slot < 0) return {};
     const auto whole = static_cast<std::size_t>(slot);
     if (whole < static_cast<std::size_t>(orbits_.walls_.segments))

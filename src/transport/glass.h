@@ -16,16 +16,16 @@ class Glass {
   bool any() const { return bodies_.any(); }
 
   /// The bodies that a ray is in which sets off from where it is; `left` as OrbitStart has it. Exact.
-  Media media_at(const Ray& ray, const Left& left) const;
+  Media media_at(const Ray& ray, const DepartedSurface& departed) const;
   /// Where an orbit meets a wall of glass.
-  struct Meeting {
+  struct GlassHit {
     std::uint32_t surface;
     Sign side;               ///< it comes from (inner_side)
     Vec2 direction, normal;  ///< of length 1, the normal towards that side
   };
   /// Chance, uniform in [0, 1), decides: where it is refracted to, of length 1; nullopt: it is reflected.
   /// `media` are what it is in, and what it is in after.
-  std::optional<Vec2> refracted(const Meeting& meeting, Media& media, double chance) const;
+  std::optional<Vec2> refracted(const GlassHit& meeting, Media& media, double chance) const;
   /// Of refraction, on the positive side of a wall and on the other, where bodies are not in one another.
   std::array<double, 2> indices(std::uint32_t surface) const;
 

@@ -14,9 +14,9 @@ bool is_after(double time, const DoubleDouble& other) {
 }
 
 // Hits of one wall after the other; the first are kept.
-class Search {
+class HitFinder {
  public:
-  Search(const MovingWalls& walls, const Mover& mover, const StoodOn& left)
+  HitFinder(const MovingWalls& walls, const Mover& mover, const StoodOn& left)
       : walls_(walls), mover_(mover), left_(left) {}
 
   void look_at(std::uint32_t surface) {
@@ -133,7 +133,7 @@ const Leg& leg_at(const std::vector<Leg>& legs, const DoubleDouble& time) {
 
 std::vector<MovingHit> first_hits(const MovingWalls& walls, const Mover& mover,
                                   const StoodOn& left) {
-  Search search(walls, mover, left);
+  HitFinder search(walls, mover, left);
   for (std::uint32_t i = 0; i < walls.world.surfaces.size(); ++i) search.look_at(i);
   return std::move(search).found();
 }

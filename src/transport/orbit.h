@@ -97,9 +97,9 @@ struct OrbitRules {
   const Glass* glass = nullptr;
 };
 
-/// Follows a ray from mirror to mirror in exact decisions and double constructions:
-/// a straight wall just left is excluded by its number, a circle only in the root
-/// stood on. No epsilon.
+/// Follows a ray from mirror to mirror: each decision is exact, each point and direction is rounded
+/// to doubles. A straight wall just left is excluded by its number, a curve only in the root in
+/// which the ray stands on it. No epsilon.
 ///
 /// Needs   `materials` by surface, periodic those of one cell at most (PeriodicWalls); a direction that is
 ///         not zero; in a field walls that are straight or of circles, none of them periodic.

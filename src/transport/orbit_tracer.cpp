@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/philox.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/error_free.h"
 #include "geom/predicates.h"
 #include "transport/reflection.h"
@@ -20,7 +20,7 @@ constexpr std::size_t kFewFlights = 12;
 // A ray under way.
 struct OrbitTracer::Flight {
   Ray ray;
-  Left left;
+  DepartedSurface departed;
   Speed speed;
   std::size_t number;
   DoubleDouble time{0, 0};  // sum of all t
@@ -43,10 +43,10 @@ class OrbitTracer::Wave {
   void set_off(std::span<const OrbitStart> starts) {
     if (orbits_.glass_ != nullptr) splits_.resize(starts.size());
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      Flight flight{starts[i].ray, starts[i].left, Speed(starts[i].ray.direction), i};
+      Flight flight{starts[i].ray, starts[i].departed, Speed(starts[i].ray.direction), i};
       if (!start(flight)) continue;
       if (orbits_.glass_ != nullptr)
-        splits_[i] = {orbits_.glass_->media_at(flight.ray, flight.left), starts[i].chance};
+        splits_[i] = {orbits_.glass_->media_at(flight.ray, flight.departed), starts[i].chance};
       flights_.push_back(flight);
     }
   }
@@ -58,7 +58,7 @@ class OrbitTracer::Wave {
         }
     while (flights_.size() > kFewFlights) run_together();
     for (Flight& flight : flights_)
-      while (advance(flight, orbits_.tracer_->nearest_of_one(flight.ray, flight.left, false))) {
+      while (advance(flight, orbits_.tracer_->nearest_of_one(flight.ray, flight.departed, false))) {
       }
   }
 
@@ -69,7 +69,7 @@ class OrbitTracer::Wave {
     rays_.resize(flights_.size());
     hits_.resize(flights_.size());
     for (std::size_t i = 0; i < flights_.size(); ++i)
-      rays_.set(i, flights_[i].ray, flights_[i].left);
+      rays_.set(i, flights_[i].ray, flights_[i].departed);
     orbits_.tracer_->nearest(rays_, hits_);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < flights_.size(); ++i)
@@ -79,18 +79,19 @@ class OrbitTracer::Wave {
 
   // Whether the ray can set off.
   bool start(Flight& flight) {
-    if (flight.left.surface == kNoSurface) {
+    if (flight.departed.surface == kNoSurface) {
       const Vec2& origin = flight.ray.origin;
       const std::vector<std::uint32_t> stood_on = orbits_.origins_.walls_at(origin);
       const bool corner =
           stood_on.size() > 1 || (stood_on.size() == 1 && is_end(walls_, stood_on.front(), origin));
       if (corner) return stop(flight, OrbitEnd::corner, stood_on);
       if (!stood_on.empty())
-        flight.left = {stood_on.front(), root_stood_on(walls_, stood_on.front(), flight.ray)};
+        flight.departed = {stood_on.front(), root_stood_on(walls_, stood_on.front(), flight.ray)};
       cross(flight, origin, stood_on, 0);
     }
-    if (flight.left.surface != kNoSurface && runs_along(walls_, flight.left, flight.ray.direction))
-      return stop(flight, OrbitEnd::along, {flight.left.surface});
+    if (flight.departed.surface != kNoSurface &&
+        runs_along(walls_, flight.departed, flight.ray.direction))
+      return stop(flight, OrbitEnd::along, {flight.departed.surface});
     return limit_ > 0 || stop(flight, OrbitEnd::limit, {});
   }
 
@@ -124,7 +125,7 @@ class OrbitTracer::Wave {
     return !orbits_.periodic_.leads_out(surface, flight.ray.direction);
   }
   NearestHit next_inside(const Flight& flight) const {
-    for (const NearestHit& hit : orbits_.tracer_->all_of_one(flight.ray, flight.left, false))
+    for (const NearestHit& hit : orbits_.tracer_->all_of_one(flight.ray, flight.departed, false))
       if (!orbits_.periodic_.has(hit.surface) || !enters_by(flight, hit.surface)) return hit;
     return {};
   }
@@ -150,7 +151,7 @@ class OrbitTracer::Wave {
     if (origin.corner.empty()) {
       if (is_mirror(hit.surface)) {
         auto reflection = reflect_off(walls_, flight.ray, hit, origin, flight.speed);
-        const Left wall{hit.surface, root_left_by(hit.root)};
+        const DepartedSurface wall{hit.surface, root_departed_by(hit.root)};
         if (reflection && circle_at(wall.surface))
           keep_moment(flight, wall, origin.point, reflection->direction);
         return bounce(flight, wall, origin.point, hit.t, reflection);
@@ -182,7 +183,7 @@ class OrbitTracer::Wave {
     sink_.cross(flight.number, point, entry->point, entry->step);
     flight.cell += entry->step;
     flight.ray.origin = entry->point;
-    flight.left = {entry->surface, Root::none};
+    flight.departed = {entry->surface, Root::none};
     flight.before += t;
     flight.circles = flight.crossings > 0 && entry->point == flight.entry;
     if (flight.crossings++ == 0) flight.entry = entry->point;
@@ -190,13 +191,14 @@ class OrbitTracer::Wave {
   }
 
   // From one bounce inside a circle to the next the moment stays, without drift.
-  void keep_moment(Flight& flight, const Left& wall, const Vec2& point, Vec2& direction) const {
-    if (flight.bounces == 0 || flight.left.surface != wall.surface)
+  void keep_moment(Flight& flight, const DepartedSurface& wall, const Vec2& point,
+                   Vec2& direction) const {
+    if (flight.bounces == 0 || flight.departed.surface != wall.surface)
       flight.moment = moment_about(*circle_at(wall.surface), flight.ray);
     direction = with_moment(walls_, wall, point, direction, flight.moment);
   }
 
-  bool bounce(Flight& flight, const Left& wall, const Vec2& point, double t,
+  bool bounce(Flight& flight, const DepartedSurface& wall, const Vec2& point, double t,
               const std::optional<Reflection>& reflection) {
     flight.ray.origin = point;
     if (!reflection) return stop(flight, OrbitEnd::along, {wall.surface});
@@ -205,7 +207,7 @@ class OrbitTracer::Wave {
     flight.before = 0;
     flight.crossings = 0;
     flight.ray.direction = reflection->direction;
-    flight.left = wall;
+    flight.departed = wall;
     return flight.bounces < limit_ || stop(flight, OrbitEnd::limit, {});
   }
 
@@ -220,7 +222,7 @@ class OrbitTracer::Wave {
                                    static_cast<double>(side) * unit(origin.normal)},
                                   own.media, chance);
     if (!refracted)
-      return bounce(flight, {hit.surface, root_left_by(hit.root)}, origin.point, hit.t,
+      return bounce(flight, {hit.surface, root_departed_by(hit.root)}, origin.point, hit.t,
                     told(reflect_off(walls_, flight.ray, hit, origin, flight.speed), true));
     ExactOrigin beyond = orbits_.origins_.after(flight.ray, hit, GoesOn::through);
     if (!beyond.corner.empty()) {
@@ -228,7 +230,7 @@ class OrbitTracer::Wave {
       return stop(flight, OrbitEnd::corner, std::move(beyond.corner));
     }
     const Root left =
-        walls_.visit(hit.surface, [&](const auto& wall) { return root_left(wall, -side); });
+        walls_.visit(hit.surface, [&](const auto& wall) { return root_departed(wall, -side); });
     return bounce(
         flight, {hit.surface, left}, beyond.point, hit.t,
         told(refract_through(walls_, hit.surface, side, *refracted, beyond, flight.speed), false));
@@ -254,14 +256,14 @@ class OrbitTracer::Wave {
       return stop(flight, OrbitEnd::limit, {});
     }
     add_to(flight.time, t);
-    if (flight.left.surface == kNoSurface) {
+    if (flight.departed.surface == kNoSurface) {
       flight.before = t;
       return true;
     }
-    if (!is_mirror(flight.left.surface))
-      return stop(flight, OrbitEnd::absorbed, {flight.left.surface});
-    return bounce(flight, flight.left, flight.ray.origin, t,
-                  reflect_again(walls_, flight.left, flight.ray.origin, back, flight.speed));
+    if (!is_mirror(flight.departed.surface))
+      return stop(flight, OrbitEnd::absorbed, {flight.departed.surface});
+    return bounce(flight, flight.departed, flight.ray.origin, t,
+                  reflect_again(walls_, flight.departed, flight.ray.origin, back, flight.speed));
   }
 
   void report(Flight& flight, const Bounce& bounce) {

@@ -13,7 +13,7 @@ namespace flatray {
 struct OrbitStart {
   Ray ray;
   /// What it has just left; without a surface the walls it starts on are looked for.
-  Left left{};
+  DepartedSurface departed{};
   /// Seeds what chance decides at glass: chance_of_orbit().
   std::uint64_t chance = 0;
 };

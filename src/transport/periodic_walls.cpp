@@ -117,21 +117,21 @@ bool PeriodicWalls::leads_out(std::uint32_t surface, const Vec2& direction) cons
 
 std::optional<PeriodicWalls::Entry> PeriodicWalls::cross(
     const Vec2& point, const Vec2& direction, std::span<const std::uint32_t> surfaces) const {
-  const auto left = left_by(surfaces, [&](const Side& side) {
+  const auto crossed = crossed_by(surfaces, [&](const Side& side) {
     return std::optional(leads_out(side.surface, direction));
   });
-  if (left->count == 0) return std::nullopt;
+  if (crossed->count == 0) return std::nullopt;
   Entry entry{point, kNoSurface, {}};
-  for (const Side* side : left->all()) {
+  for (const Side* side : crossed->all()) {
     for (const int axis : {0, 1})
       entry.point[axis] = moved(entry.point[axis], side->from()[axis], side->to()[axis]);
     if (side->axis < 0) entry.point = on_line(side->far, entry.point);
     entry.surface = side->opposite;
     entry.step += side->step;
   }
-  for (const Side* side : left->all())
+  for (const Side* side : crossed->all())
     if (side->axis >= 0) entry.point[side->axis] = side->to()[side->axis];
-  const auto inner = inside(entry.point, left->all().back()->far);
+  const auto inner = inside(entry.point, crossed->all().back()->far);
   if (!inner) return std::nullopt;
   entry.point = *inner;
   return entry;

@@ -45,7 +45,7 @@ class PeriodicWalls {
     const Vec2& to() const { return far.b; }
   };
   /// The walls that are left by at once, in turn: two where a ray goes through a corner of the cell.
-  struct Left {
+  struct Crossed {
     std::array<const Side*, 2> sides{};
     std::size_t count = 0;
     std::span<const Side* const> all() const { return {sides.data(), count}; }
@@ -67,8 +67,8 @@ class PeriodicWalls {
   ///
   /// Needs   leads_out(side) to say whether its direction does, nullopt where that cannot be told.
   template <class LeadsOut>
-  std::optional<Left> left_by(std::span<const std::uint32_t> surfaces,
-                              const LeadsOut& leads_out) const;
+  std::optional<Crossed> crossed_by(std::span<const std::uint32_t> surfaces,
+                                    const LeadsOut& leads_out) const;
 
   /// Where a ray that arrives at a point of some of them goes on.
   struct Entry {
@@ -97,18 +97,18 @@ class PeriodicWalls {
 };
 
 template <class LeadsOut>
-std::optional<PeriodicWalls::Left> PeriodicWalls::left_by(std::span<const std::uint32_t> surfaces,
-                                                          const LeadsOut& leads_out) const {
+std::optional<PeriodicWalls::Crossed> PeriodicWalls::crossed_by(
+    std::span<const std::uint32_t> surfaces, const LeadsOut& leads_out) const {
   const std::size_t count = sides_.size();
-  Left left;
+  Crossed crossed;
   for (const std::uint32_t surface : surfaces) {
     const Side* first = find(surface);
     if (first == nullptr) continue;
     const std::optional<bool> out = leads_out(*first);
     if (!out) return std::nullopt;
     if (!*out) continue;
-    left = {{first}, 1};
-    if (surfaces.size() == 1) return left;
+    crossed = {{first}, 1};
+    if (surfaces.size() == 1) return crossed;
     // Its end that the others share is taken to the other end of the wall opposite.
     const auto at = static_cast<std::size_t>(first - sides_.data());
     const Side& next = sides_[(at + 1) % count];
@@ -116,10 +116,10 @@ std::optional<PeriodicWalls::Left> PeriodicWalls::left_by(std::span<const std::u
     const Side& second = sides_[(at + count / 2 + (at_end ? count - 1 : 1)) % count];
     const std::optional<bool> too = leads_out(second);
     if (!too) return std::nullopt;
-    if (*too) left = {{first, &second}, 2};
-    return left;
+    if (*too) crossed = {{first, &second}, 2};
+    return crossed;
   }
-  return left;
+  return crossed;
 }
 
 }  // namespace flatray

@@ -86,13 +86,14 @@ bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const V
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
   return walls.visit(surface, [&](const auto& wall) {
     for (const Sign side : {Sign::negative, Sign::positive})
-      if (leads_away(wall, side, ray)) return root_left(wall, side);
+      if (leads_away(wall, side, ray)) return root_departed(wall, side);
     return Root::both;  // along a tangent
   });
 }
 
-bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) {
-  return walls.visit(left.surface, [&](const auto& wall) { return runs_along(wall, direction); });
+bool runs_along(const Surfaces& walls, const DepartedSurface& departed, const Vec2& direction) {
+  return walls.visit(departed.surface,
+                     [&](const auto& wall) { return runs_along(wall, direction); });
 }
 
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
@@ -116,11 +117,12 @@ std::optional<Reflection> reflect_in_field(const Surfaces& walls, std::uint32_t 
   return reflected(walls, {surface, side, origin.normal, false}, direction, origin.point, speed);
 }
 
-std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
-                                        const Vec2& direction, const Speed& speed) {
-  return walls.visit(left.surface, [&](const auto& wall) {
-    const Sign side = -side_met(wall, {point, -direction}, left.root);  // to which it had left
-    return reflected(walls, {left.surface, side, normal_near(wall, point)}, direction, point,
+std::optional<Reflection> reflect_again(const Surfaces& walls, const DepartedSurface& departed,
+                                        const Vec2& point, const Vec2& direction,
+                                        const Speed& speed) {
+  return walls.visit(departed.surface, [&](const auto& wall) {
+    const Sign side = -side_met(wall, {point, -direction}, departed.root);  // to which it had left
+    return reflected(walls, {departed.surface, side, normal_near(wall, point)}, direction, point,
                      speed);
   });
 }
@@ -134,10 +136,10 @@ double moment_about(const Vec2& centre, const Ray& ray) {
   return exact.hi + (exact.lo + (x.lo * d.y() - y.lo * d.x()));
 }
 
-Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, const Vec2& direction,
-                 double moment) {
+Vec2 with_moment(const Surfaces& walls, const DepartedSurface& departed, const Vec2& point,
+                 const Vec2& direction, double moment) {
   constexpr double kGrazing = 0x1p-12, kRounding = 0x1p-36;
-  const Vec2 centre = walls.arc(left.surface).curve.centre;
+  const Vec2 centre = walls.arc(departed.surface).curve.centre;
   const Vec2 from = point - centre;
   const double along = from.dot(direction);
   const double sizes = std::sqrt(from.dot(from)) * std::sqrt(direction.dot(direction));
@@ -145,8 +147,8 @@ Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, con
   const double turn = (moment - moment_about(centre, {point, direction})) / along;
   if (!(std::fabs(turn) < kRounding)) return direction;
   const Vec2 turned = direction + turn * Vec2(-direction.y(), direction.x());
-  const Sign side = left.root == Root::first ? Sign::negative : Sign::positive;
-  return leads_away(walls, left.surface, side, point, turned) ? turned : direction;
+  const Sign side = departed.root == Root::first ? Sign::negative : Sign::positive;
+  return leads_away(walls, departed.surface, side, point, turned) ? turned : direction;
 }
 
 }  // namespace flatray

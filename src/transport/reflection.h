@@ -51,13 +51,13 @@ bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const V
 /// enter, or outward from one by which they leave; along its tangent from both, as one that has touched it. Exact.
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray);
 /// What a reflected ray has left: inside a curve the root it would have entered by, outside the other.
-inline Root root_left_by(Root met) {
+inline Root root_departed_by(Root met) {
   return met == Root::none                  ? Root::none
          : enters(met) || met == Root::both ? Root::second
                                             : Root::first;
 }
 /// Whether a direction runs along the straight wall just left. Exact.
-bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction);
+bool runs_along(const Surfaces& walls, const DepartedSurface& departed, const Vec2& direction);
 
 /// (origin - centre) x direction: r times the speed times the sine of the incidence at a circle,
 /// which its reflections keep. Error   1 ulp of its terms' squares.
@@ -67,8 +67,8 @@ double moment_about(const Vec2& centre, const Ray& ray);
 /// that rounding does not add up from bounce to bounce. Untouched where the ray grazes (under 2^-12
 /// of a right angle), where more than rounding would be turned, or where it would no longer lead
 /// away.
-Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, const Vec2& direction,
-                 double moment);
+Vec2 with_moment(const Surfaces& walls, const DepartedSurface& departed, const Vec2& point,
+                 const Vec2& direction, double moment);
 
 /// Reflects `ray` where it meets the wall of `hit` and may stand.
 ///
@@ -89,7 +89,8 @@ std::optional<Reflection> reflect_in_field(const Surfaces& walls, std::uint32_t 
                                            const Vec2& direction, const ExactOrigin& origin,
                                            const Speed& speed);
 /// The same of a ray that comes back along `direction` to a wall it has left at `point`.
-std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
-                                        const Vec2& direction, const Speed& speed);
+std::optional<Reflection> reflect_again(const Surfaces& walls, const DepartedSurface& departed,
+                                        const Vec2& point, const Vec2& direction,
+                                        const Speed& speed);
 
 }  // namespace flatray

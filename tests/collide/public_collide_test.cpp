@@ -42,9 +42,9 @@ bool same(const api::ContactFeature& a, const ContactFeature& b) {
 
 bool same(const api::Contact& a, const HitInterval& b) {
   return a.first == b.t_enter && a.last == b.t_exit &&
-         a.kind == static_cast<api::Meeting>(b.kind) &&
-         a.start == static_cast<api::Place>(b.start) && a.first_overflows == b.enter_overflows &&
-         a.last_overflows == b.exit_overflows;
+         a.kind == static_cast<api::HitClass>(b.kind) &&
+         a.start == static_cast<api::StartPlace>(b.start) &&
+         a.first_overflows == b.enter_overflows && a.last_overflows == b.exit_overflows;
 }
 
 TEST(PublicCollide, ContactsAreThoseOfTheModule) {
@@ -77,7 +77,7 @@ TEST(PublicCollide, ContactsAreThoseOfTheModule) {
       const MovingBody one{a.ring, {pair.velocity_ax, pair.velocity_ay}, a.radius},
           other{b.ring, {pair.velocity_bx, pair.velocity_by}, b.radius};
       const Range range{within.low, within.high};
-      met += contacts[i].kind == api::Meeting::none ? 0 : 1;
+      met += contacts[i].kind == api::HitClass::none ? 0 : 1;
       round += a.radius > 0 || b.radius > 0 ? 1 : 0;
       const Contact wanted = contact(one, other, range);
       ASSERT_TRUE(same(contacts[i], wanted.times)) << i;

@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "geom/clip.h"
 #include "geom/clip_cases.h"
-#include "geom/cyrus_beck.h"
 #include "oracle/contact.h"
 #include "oracle/curves.h"
 

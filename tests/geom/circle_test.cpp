@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 
 namespace flatray {
 namespace {

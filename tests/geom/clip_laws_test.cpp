@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "geom/clip.h"
 #include "geom/clip_cases.h"
-#include "geom/cyrus_beck.h"
 
 namespace flatray {
 namespace {

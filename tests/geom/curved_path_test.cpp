@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/interval_set.h"
 #include "trace/random_rays.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 
 // Where the paper is not followed, by the numbers of docs/DEVIATIONS.md. Number 5 is a Markov
 // chain: tests/anim.

@@ -7,14 +7,14 @@
 namespace flatray {
 namespace {
 
-using Place = SegmentHit::Place;
+using Part = SegmentHit::Part;
 constexpr double kUlp = 0x1p-52;
 
 TEST(HitSegment, KnowsTheEndsExactly) {
   const Ray ray{{0, 0}, {3, 1}};
-  EXPECT_EQ(hit_segment(ray, {{3, 1}, {3, 2}})->place, Place::at_a);
-  EXPECT_EQ(hit_segment(ray, {{6, 0}, {6, 2}})->place, Place::at_b);
-  EXPECT_EQ(hit_segment(ray, {{6, 0}, {6, std::nextafter(2.0, 3.0)}})->place, Place::inner);
+  EXPECT_EQ(hit_segment(ray, {{3, 1}, {3, 2}})->part, Part::at_a);
+  EXPECT_EQ(hit_segment(ray, {{6, 0}, {6, 2}})->part, Part::at_b);
+  EXPECT_EQ(hit_segment(ray, {{6, 0}, {6, std::nextafter(2.0, 3.0)}})->part, Part::inner);
   EXPECT_FALSE(hit_segment(ray, {{6, 0}, {6, std::nextafter(2.0, 0.0)}}));
 }
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/exact.h"
 
 // The tables of the paper, recomputed; what it prints otherwise is listed in docs/DEVIATIONS.md.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/portable_math.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/polygon.h"
 #include "oracle/exact.h"
 

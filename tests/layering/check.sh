@@ -13,9 +13,9 @@ declare -A direct=(
   [anim]='scene trace'
   [collide]='anim'
   [transport]='anim image'
-  [precise]='transport collide'
-  [render]='transport collide precise image'
-  [oracle]='trace transport collide'
+  [precise]='transport'
+  [render]='transport collide image'
+  [oracle]='transport'
   [study]='render oracle precise'
   [app]='study'
 )

@@ -59,35 +59,35 @@ TEST(Algebraic, HalvesGoToEven) {
 }
 
 TEST(Bezier, AParabolaIsMetWhereItsEquationSays) {
-  const auto level = [](double y) { return first_meeting({{-5, y}, {1, 0}}, kParabola); };
+  const auto level = [](double y) { return first_wall_hit({{-5, y}, {1, 0}}, kParabola); };
   EXPECT_EQ(level(4)->t, number(7));
   EXPECT_EQ(level(4)->kind, HitClass::through);
   EXPECT_FALSE(level(4)->at_end);
   EXPECT_EQ(level(2)->t, number(5, 1, 2));  // the root at -sqrt(2) is beyond the end
   EXPECT_EQ(level(0.5)->t, number(5, -1, 0.5));
   EXPECT_EQ(level(0.5)->t.nearest(), (Surd{5, -1, 0.5}).nearest());
-  EXPECT_EQ(first_meeting({{2, -1}, {0, 1}}, kParabola)->t, number(5));
-  EXPECT_FALSE(first_meeting({{2, 5}, {0, 1}}, kParabola));  // behind
+  EXPECT_EQ(first_wall_hit({{2, -1}, {0, 1}}, kParabola)->t, number(5));
+  EXPECT_FALSE(first_wall_hit({{2, 5}, {0, 1}}, kParabola));  // behind
 }
 
 TEST(Bezier, ATangentTouchesAndAnUlpBesideItMisses) {
-  const auto touch = first_meeting({{-5, 0}, {1, 0}}, kParabola);
+  const auto touch = first_wall_hit({{-5, 0}, {1, 0}}, kParabola);
   ASSERT_TRUE(touch);
   EXPECT_EQ(touch->kind, HitClass::touch);
   EXPECT_EQ(touch->t.nearest(), 5);
-  EXPECT_FALSE(first_meeting({{-5, -5e-324}, {1, 0}}, kParabola));
+  EXPECT_FALSE(first_wall_hit({{-5, -5e-324}, {1, 0}}, kParabola));
   EXPECT_EQ(meetings_with_bezier({{-5, 5e-324}, {1, 0}}, kParabola).size(), 2U);
 }
 
 TEST(Bezier, EndsBelongToTheCurve) {
-  const auto first = first_meeting({{-5, 1}, {1, 0}}, kParabola);
+  const auto first = first_wall_hit({{-5, 1}, {1, 0}}, kParabola);
   EXPECT_EQ(first->t, number(4));
   EXPECT_TRUE(first->at_end);
-  EXPECT_FALSE(first_meeting({{9, 9}, {-1, 0x1p-40}}, kParabola));
-  const auto last = first_meeting({{9, 9}, {-1, 0}}, kParabola);
+  EXPECT_FALSE(first_wall_hit({{9, 9}, {-1, 0x1p-40}}, kParabola));
+  const auto last = first_wall_hit({{9, 9}, {-1, 0}}, kParabola);
   EXPECT_TRUE(last->at_end);
   EXPECT_EQ(last->t, number(6));
-  const auto leaving = first_meeting({{3, 9}, {1, 1}}, kParabola);
+  const auto leaving = first_wall_hit({{3, 9}, {1, 1}}, kParabola);
   EXPECT_EQ(leaving->t.sign(), Sign::zero);
 }
 
@@ -102,9 +102,9 @@ TEST(Bezier, ACubicIsMetThriceAndItsInflectionTangentCrosses) {
   ASSERT_EQ(flat.size(), 1U);
   EXPECT_EQ(flat[0].multiplicity, 3);
   EXPECT_EQ(flat[0].s, number(0.5));
-  EXPECT_EQ(first_meeting({{-9, 0}, {3, 0}}, kCubic)->kind, HitClass::through);
+  EXPECT_EQ(first_wall_hit({{-9, 0}, {3, 0}}, kCubic)->kind, HitClass::through);
   // 3 u^3 = 6 at t = 10 + 3 u, whose cube less 10 is 54.
-  const double t = first_meeting({{-10, 6}, {1, 0}}, kCubic)->t.nearest();
+  const double t = first_wall_hit({{-10, 6}, {1, 0}}, kCubic)->t.nearest();
   const auto cube = [](const Rational& x) { return (x - 10) * (x - 10) * (x - 10); };
   EXPECT_LT(cube(middle_to(t, 0)), 54);
   EXPECT_GT(cube(middle_to(t, 20)), 54);
@@ -119,21 +119,21 @@ TEST(Bezier, WhereItCrossesItselfItIsMetTwiceAtOnce) {
   EXPECT_EQ(all[1].s, number(0.25));
   EXPECT_EQ(all[2].s, number(0.75));
   // The tangent of one branch crosses the other.
-  EXPECT_EQ(first_meeting({{-1, 2}, {1, 1}}, kLoop)->kind, HitClass::through);
+  EXPECT_EQ(first_wall_hit({{-1, 2}, {1, 1}}, kLoop)->kind, HitClass::through);
   EXPECT_EQ(meetings_with_bezier({{0, 3}, {0, 0}}, kLoop).size(), 2U);
 }
 
 TEST(Bezier, ACuspIsTouchedButAlongItsTangentCrossed) {
-  EXPECT_EQ(first_meeting({{-9, 0}, {1, 0}}, kCusp)->kind, HitClass::touch);
-  EXPECT_EQ(first_meeting({{0, -9}, {0, 1}}, kCusp)->kind, HitClass::through);
+  EXPECT_EQ(first_wall_hit({{-9, 0}, {1, 0}}, kCusp)->kind, HitClass::touch);
+  EXPECT_EQ(first_wall_hit({{0, -9}, {0, 1}}, kCusp)->kind, HitClass::through);
   EXPECT_EQ(meetings_with_bezier({{0, -9}, {0, 1}}, kCusp)[0].multiplicity, 3);
 }
 
 TEST(Bezier, WithoutADirectionIsWhatTheOriginLiesOn) {
-  EXPECT_TRUE(first_meeting({{2, 4}, {0, 0}}, kParabola));
-  EXPECT_FALSE(first_meeting({{2, std::nextafter(4, 5)}, {0, 0}}, kParabola));
-  EXPECT_FALSE(first_meeting({{-2, 4}, {0, 0}}, kParabola));
-  EXPECT_TRUE(first_meeting({{3, 9}, {0, 0}}, kParabola)->at_end);
+  EXPECT_TRUE(first_wall_hit({{2, 4}, {0, 0}}, kParabola));
+  EXPECT_FALSE(first_wall_hit({{2, std::nextafter(4, 5)}, {0, 0}}, kParabola));
+  EXPECT_FALSE(first_wall_hit({{-2, 4}, {0, 0}}, kParabola));
+  EXPECT_TRUE(first_wall_hit({{3, 9}, {0, 0}}, kParabola)->at_end);
 }
 
 // Both halves, by de Casteljau. Exact where the control points are whole.
@@ -162,8 +162,8 @@ TEST(Bezier, PartsAndTheReverseOfACurveAreMetAsTheCurve) {
         const auto reversed = meetings_with_bezier(ray, Points(points.rbegin(), points.rend()));
         ASSERT_EQ(all.size(), reversed.size());
         for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].t, reversed[i].t);
-        const auto first = first_meeting(ray, points), in_low = first_meeting(ray, low),
-                   in_high = first_meeting(ray, high);
+        const auto first = first_wall_hit(ray, points), in_low = first_wall_hit(ray, low),
+                   in_high = first_wall_hit(ray, high);
         ASSERT_EQ(first.has_value(), in_low || in_high);
         misses += first ? 0 : 1;
         if (!first) continue;
@@ -187,7 +187,7 @@ TEST(Bezier, ScaledCurvesAreMetAtTheSameTimes) {
     const Ray &ray = scene.rays[i], scaled{far * ray.origin, far * ray.direction};
     Points small = points;
     for (Vec2& p : small) p *= far;
-    const auto one = first_meeting(ray, points), other = first_meeting(scaled, small);
+    const auto one = first_wall_hit(ray, points), other = first_wall_hit(scaled, small);
     ASSERT_EQ(one.has_value(), other.has_value());
     if (!one) continue;
     EXPECT_EQ(one->t, other->t);

@@ -25,50 +25,50 @@ TEST(RootOf, IsThatAskedForAlsoBehindTheStart) {
 }
 
 TEST(FirstMeeting, IsOnceOnATangentAndTwiceOnAChord) {
-  const auto tangent = first_meeting({{11, -2}, {-4, 3}}, whole(kFive));  // through (3, 4)
+  const auto tangent = first_wall_hit({{11, -2}, {-4, 3}}, whole(kFive));  // through (3, 4)
   ASSERT_TRUE(tangent);
   EXPECT_EQ(tangent->kind, HitClass::touch);
   EXPECT_EQ(tangent->root, Root::both);
   EXPECT_EQ(tangent->t.nearest(), 2);
-  EXPECT_FALSE(first_meeting({{11, std::nextafter(-2, 0)}, {-4, 3}}, whole(kFive)));
-  const auto outside = first_meeting({{-7, 3}, {1, 0}}, whole(kFive));
+  EXPECT_FALSE(first_wall_hit({{11, std::nextafter(-2, 0)}, {-4, 3}}, whole(kFive)));
+  const auto outside = first_wall_hit({{-7, 3}, {1, 0}}, whole(kFive));
   EXPECT_EQ(outside->root, Root::first);
   EXPECT_EQ(outside->t.nearest(), 3);
-  const auto inside = first_meeting({{0, 3}, {1, 0}}, whole(kFive));
+  const auto inside = first_wall_hit({{0, 3}, {1, 0}}, whole(kFive));
   EXPECT_EQ(inside->root, Root::second);
   EXPECT_EQ(inside->t.nearest(), 4);
-  const auto on_it = first_meeting({{4, 3}, {1, 0}}, whole(kFive));
+  const auto on_it = first_wall_hit({{4, 3}, {1, 0}}, whole(kFive));
   EXPECT_EQ(on_it->t.sign(), Sign::zero);
-  EXPECT_FALSE(first_meeting({{std::nextafter(4, 5), 3}, {1, 0}}, whole(kFive)));
+  EXPECT_FALSE(first_wall_hit({{std::nextafter(4, 5), 3}, {1, 0}}, whole(kFive)));
 }
 
 TEST(FirstMeeting, OfAnArcIsBetweenItsEnds) {
   const Arc right = between(kFive, {4, -3}, {4, 3}), rest = between(kFive, {4, 3}, {4, -3});
-  EXPECT_EQ(first_meeting({{-9, 0}, {1, 0}}, right)->t.nearest(), 14);
-  EXPECT_EQ(first_meeting({{-9, 0}, {1, 0}}, rest)->t.nearest(), 4);
+  EXPECT_EQ(first_wall_hit({{-9, 0}, {1, 0}}, right)->t.nearest(), 14);
+  EXPECT_EQ(first_wall_hit({{-9, 0}, {1, 0}}, rest)->t.nearest(), 4);
   for (const Arc& arc : {right, rest}) {
-    const auto end = first_meeting({{9, 3}, {-1, 0}}, arc);
+    const auto end = first_wall_hit({{9, 3}, {-1, 0}}, arc);
     EXPECT_EQ(end->t.nearest(), 5);
     EXPECT_TRUE(end->at_end);
     EXPECT_EQ(end->kind, HitClass::through);
   }
   const Arc upper = {kFive, Arc::Extent::half, {0, 1}, {0, 0}};
-  EXPECT_TRUE(first_meeting({{5, -9}, {0, 1}}, upper)->at_end);
-  EXPECT_EQ(first_meeting({{3, -9}, {0, 1}}, upper)->root, Root::second);
+  EXPECT_TRUE(first_wall_hit({{5, -9}, {0, 1}}, upper)->at_end);
+  EXPECT_EQ(first_wall_hit({{3, -9}, {0, 1}}, upper)->root, Root::second);
 }
 
 // Ends off the circle: what lies between them and it belongs to the arc.
 TEST(FirstMeeting, OfWhatJoinsAnEndToItsCurveIsAnEnd) {
   const Arc arc = between(kFive, {7, 0}, {0, 3});
-  const auto joint = first_meeting({{6, -2}, {0, 1}}, arc);
+  const auto joint = first_wall_hit({{6, -2}, {0, 1}}, arc);
   ASSERT_TRUE(joint);
   EXPECT_TRUE(joint->at_end);
   EXPECT_EQ(joint->root, Root::none);
   EXPECT_EQ(joint->t.nearest(), 2);
-  EXPECT_FALSE(first_meeting({{7.5, -2}, {0, 1}}, arc));
-  EXPECT_EQ(first_meeting({{-2, 4}, {1, 0}}, arc)->t.nearest(), 2);  // inside, towards (0, 3)
-  EXPECT_TRUE(first_meeting({{6, 0}, {0, 0}}, arc));
-  EXPECT_FALSE(first_meeting({{0, 2}, {0, 0}}, arc));
+  EXPECT_FALSE(first_wall_hit({{7.5, -2}, {0, 1}}, arc));
+  EXPECT_EQ(first_wall_hit({{-2, 4}, {1, 0}}, arc)->t.nearest(), 2);  // inside, towards (0, 3)
+  EXPECT_TRUE(first_wall_hit({{6, 0}, {0, 0}}, arc));
+  EXPECT_FALSE(first_wall_hit({{0, 2}, {0, 0}}, arc));
 }
 
 // (3, 4) and (-4, 3) are half-diameters of the circle of radius 5, too.
@@ -79,9 +79,9 @@ TEST(FirstMeeting, OfACircleIsThatOfTheEllipseItIs) {
   for (int i = 0; i < 200; ++i) {
     const Vec2 from{16 * draw.unit() - 8, 16 * draw.unit() - 8};
     const Ray ray{from, {draw.unit() - 0.5, draw.unit() - 0.5}};
-    const auto met = first_meeting(ray, circle);
+    const auto met = first_wall_hit(ray, circle);
     for (const Arc& other : {ellipse, turned}) {
-      const auto same = first_meeting(ray, other);
+      const auto same = first_wall_hit(ray, other);
       ASSERT_EQ(met.has_value(), same.has_value());
       if (!met) continue;
       EXPECT_EQ(met->t, same->t);
@@ -119,7 +119,7 @@ TEST(RoundFamilies, MeetEveryKindOfHitAndNoneIsLostToBounds) {
         std::int64_t number = -1;
         for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
           if (surfaces.segment_slot(i) != kNoSurface) continue;
-          const auto met = first_meeting(ray, surfaces.arc(i));
+          const auto met = first_wall_hit(ray, surfaces.arc(i));
           if (!met || (first && !(met->t < *first))) continue;
           first = met->t;
           number = i;

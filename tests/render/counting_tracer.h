@@ -26,7 +26,7 @@ class CountingAccelerator : public Accelerator {
     tracer_counts().nearest += rays.size();
     inner_->nearest(rays, hits);
   }
-  std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
+  std::vector<NearestHit> all_of_one(const Ray& ray, const DepartedSurface& left,
                                      bool tangents) const override {
     ++tracer_counts().all;
     return inner_->all_of_one(ray, left, tangents);

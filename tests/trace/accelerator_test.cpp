@@ -14,11 +14,11 @@ std::vector<std::uint32_t> numbers(const std::vector<NearestHit>& hits) {
 
 class EachTracer : public testing::TestWithParam<const Tracer*> {
  protected:
-  std::vector<NearestHit> all(const Ray& ray, const Left& left = {}) const {
-    return GetParam()->build(walls)->all_of_one(ray, left);
+  std::vector<NearestHit> all(const Ray& ray, const DepartedSurface& departed = {}) const {
+    return GetParam()->build(walls)->all_of_one(ray, departed);
   }
-  bool any(const Ray& ray, double up_to, const Left& left = {}) const {
-    return GetParam()->build(walls)->any_of_one(ray, up_to, left);
+  bool any(const Ray& ray, double up_to, const DepartedSurface& departed = {}) const {
+    return GetParam()->build(walls)->any_of_one(ray, up_to, departed);
   }
   Surfaces walls;
 };

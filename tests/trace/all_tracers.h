@@ -21,7 +21,7 @@ struct Case {
 };
 
 inline NearestHit exact_hit_of(const Case& c, std::size_t ray) {
-  ExactNearest search(c.walls, c.rays.ray(ray), c.rays.left[ray], c.rays.tangents);
+  ExactNearest search(c.walls, c.rays.ray(ray), c.rays.departed[ray], c.rays.tangents);
   search.offer_all();
   return search.hit();
 }
@@ -57,7 +57,7 @@ inline void expect_all_tiers_exact(const Case& c) {
         expect_hits(truth, copies, many, std::string(tracer->name) + ", lanes, " + isa_name(isa));
       }
       for (std::size_t i = 0; i < hits.size(); ++i)
-        hits[i] = walls->nearest_of_one(c.rays.ray(i), c.rays.left[i], c.rays.tangents);
+        hits[i] = walls->nearest_of_one(c.rays.ray(i), c.rays.departed[i], c.rays.tangents);
       expect_hits(truth, hits, c, std::string(tracer->name) + ", one by one, " + isa_name(isa));
     }
 }

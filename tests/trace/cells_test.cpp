@@ -22,7 +22,7 @@ void transform(Case& c, double scale, const Vec2& offset) {
     Ray ray = c.rays.ray(i);
     move(ray.origin);
     ray.direction *= scale;
-    c.rays.set(i, ray, c.rays.left[i]);
+    c.rays.set(i, ray, c.rays.departed[i]);
   }
 }
 
@@ -31,11 +31,11 @@ Case random_case(std::uint64_t seed, int shapes, double size, int rays) {
   Case c;
   c.walls = crowd(draw, shapes, size);
   for (int i = 0; i < rays; ++i) {
-    const Left left{
+    const DepartedSurface departed{
         i % 4 == 0 ? static_cast<std::uint32_t>(draw.bits() % c.walls.size()) : kNoSurface,
         Root::none};
     const Vec2 origin = draw.point();
-    c.rays.add({origin, draw.point() - Vec2(0.5, 0.5)}, left);
+    c.rays.add({origin, draw.point() - Vec2(0.5, 0.5)}, departed);
   }
   return c;
 }

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/polygon.h"
 #include "oracle/families.h"
 #include "trace/hit_intervals.h"

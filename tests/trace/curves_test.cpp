@@ -5,9 +5,9 @@
 namespace flatray {
 namespace {
 
-NearestHit nearest_curve(const Surfaces& walls, const Ray& ray, const Left& left = {},
-                         bool tangents = true) {
-  return accelerate(walls)->nearest_of_one(ray, left, tangents);
+NearestHit nearest_curve(const Surfaces& walls, const Ray& ray,
+                         const DepartedSurface& departed = {}, bool tangents = true) {
+  return accelerate(walls)->nearest_of_one(ray, departed, tangents);
 }
 
 Arc whole(const Ellipse& curve) { return {curve, Arc::Extent::whole, {0, 0}, {0, 0}}; }
@@ -294,13 +294,13 @@ Case many_curves(int count, double size, std::uint64_t seed) {
   }
   for (int i = 0; i < 300; ++i) {
     const Vec2 origin = 6 * draw.point() - Vec2(1, 1);
-    Left left;
+    DepartedSurface departed;
     if (i % 7 == 0)
-      left = {static_cast<std::uint32_t>(draw.whole(0, static_cast<int>(c.walls.size()) - 1)),
-              i % 2 == 0 ? Root::first : Root::second};
+      departed = {static_cast<std::uint32_t>(draw.whole(0, static_cast<int>(c.walls.size()) - 1)),
+                  i % 2 == 0 ? Root::first : Root::second};
     const double far = i % 11 == 0 ? draw.spread(0, 60) : 1;
     const Vec2 direction = 4 * draw.point() - origin;
-    c.rays.add({origin - far * direction, draw.spread(-30, 30) * direction}, left);
+    c.rays.add({origin - far * direction, draw.spread(-30, 30) * direction}, departed);
   }
   for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1), Vec2(0, 0)})
     c.rays.add({4 * draw.point(), axis});

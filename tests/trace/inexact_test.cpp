@@ -117,10 +117,11 @@ TEST(EmbreeCurves, AreMetAsTheTracerFloatMeetsThem) {
       c.walls.add(Arc{Ellipse(circle.centre, {2, 1}, {-0.5, 0.25}), Arc::Extent::half, {1, 2}, {}});
   }
   for (std::uint32_t i = 0; i < 5000; ++i) {
-    const Left left = i % 4 == 0 ? Left{1 + i % 60, Root::both} : Left{};
+    const DepartedSurface departed =
+        i % 4 == 0 ? DepartedSurface{1 + i % 60, Root::both} : DepartedSurface{};
     c.rays.add(
         {{draw.spread(-2, 4), draw.spread(-2, 4)}, {draw.spread(-30, 30), draw.spread(-30, 30)}},
-        left);
+        departed);
   }
   std::vector<NearestHit> wanted(c.rays.size()), hits(c.rays.size());
   find_tracer("float")->build(c.walls)->nearest(c.rays, wanted);

@@ -38,7 +38,7 @@ Case moved(const Case& c, const Move& move, double turns = 1) {
   for (std::size_t i = 0; i < c.rays.size(); ++i) {
     const Ray ray = c.rays.ray(i);
     const Vec2 tip = move(ray.origin + ray.direction), from = move(ray.origin);
-    other.rays.add({from, turns * (tip - from)}, c.rays.left[i]);
+    other.rays.add({from, turns * (tip - from)}, c.rays.departed[i]);
   }
   return other;
 }

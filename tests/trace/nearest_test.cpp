@@ -10,16 +10,16 @@
 namespace flatray {
 namespace {
 
-NearestHit nearest(const Surfaces& walls, const Ray& ray, const Left& left = {},
+NearestHit nearest(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed = {},
                    bool tangents = true) {
   RayBatch rays;
   rays.tangents = tangents;
-  rays.add(ray, left);
+  rays.add(ray, departed);
   rays = many_of(rays);
   std::vector<NearestHit> hits(rays.size());
   const auto made = accelerate(walls);
   made->nearest(rays, hits);
-  const NearestHit hit = made->nearest_of_one(ray, left, tangents);
+  const NearestHit hit = made->nearest_of_one(ray, departed, tangents);
   for (const NearestHit& by_lanes : hits) EXPECT_EQ(by_lanes, hit);
   return hit;
 }

@@ -46,8 +46,8 @@ TEST(Tracers, AgreeOnRaysThatGoTogether) {
   for (const double size : {0.02, 0.3}) {
     Case c = together(draw, size);
     expect_all_tiers_exact(c);
-    for (Left& left : c.rays.left)
-      left.surface = static_cast<std::uint32_t>(draw.bits() % c.walls.size());
+    for (DepartedSurface& departed : c.rays.departed)
+      departed.surface = static_cast<std::uint32_t>(draw.bits() % c.walls.size());
     expect_all_tiers_exact(c);
   }
 }

@@ -87,34 +87,36 @@ Twice any_walls(Draws& draw) {
 // Rays as the library has them, and as arrays.
 struct TwiceRays {
   RayBatch batch;
-  std::vector<api::Left> left;
-  api::Rays rays() const { return {batch.ox, batch.oy, batch.dx, batch.dy, left, batch.tangents}; }
+  std::vector<api::DepartedSurface> departed;
+  api::Rays rays() const {
+    return {batch.ox, batch.oy, batch.dx, batch.dy, departed, batch.tangents};
+  }
 };
 
 TwiceRays any_rays(Draws& draw, std::size_t count, int walls) {
   TwiceRays both;
   both.batch.tangents = draw.whole(0, 1) == 0;
   for (std::size_t i = 0; i < count; ++i) {
-    Left from;
+    DepartedSurface from;
     if (walls > 0 && draw.whole(0, 3) == 0)
       from = {static_cast<std::uint32_t>(draw.whole(0, walls - 1)),
               static_cast<Root>(draw.whole(1, 3))};
     both.batch.add({draw.grid_point(-9, 9), draw.grid_point(-4, 4)}, from);
-    both.left.push_back({from.surface, static_cast<api::Root>(from.root)});
+    both.departed.push_back({from.surface, static_cast<api::Root>(from.root)});
   }
   return both;
 }
 
 bool same(const api::Hit& a, const NearestHit& b) {
-  return a.wall == b.surface && a.kind == static_cast<api::Meeting>(b.kind) &&
+  return a.wall == b.surface && a.kind == static_cast<api::HitClass>(b.kind) &&
          a.root == static_cast<api::Root>(b.root) && a.at_end == b.at_end && a.t == b.t;
 }
 
 bool same(const api::Interval& a, const HitInterval& b) {
   return a.enter == b.t_enter && a.exit == b.t_exit && a.edge_enter == b.edge_enter &&
-         a.edge_exit == b.edge_exit && a.kind == static_cast<api::Meeting>(b.kind) &&
-         a.start == static_cast<api::Place>(b.start) && a.enter_overflows == b.enter_overflows &&
-         a.exit_overflows == b.exit_overflows;
+         a.edge_exit == b.edge_exit && a.kind == static_cast<api::HitClass>(b.kind) &&
+         a.start == static_cast<api::StartPlace>(b.start) &&
+         a.enter_overflows == b.enter_overflows && a.exit_overflows == b.exit_overflows;
 }
 
 TEST(PublicTrace, HitsAreThoseOfTheModule) {
@@ -170,7 +172,7 @@ TEST(PublicTrace, IntervalsAreThoseOfTheModule) {
       for (std::size_t i = 0; i < count; ++i) {
         ASSERT_TRUE(same(parts[i], clip_convex(asked.batch.ray(i), vertices, range))) << i;
         ASSERT_TRUE(same(discs[i], clip_circle(asked.batch.ray(i), {at, 3}, range))) << i;
-        through += parts[i].kind == api::Meeting::through ? 1 : 0;
+        through += parts[i].kind == api::HitClass::through ? 1 : 0;
       }
     }
   }
@@ -220,11 +222,11 @@ TEST(PublicTrace, MistakesInRaysAreToldAndWriteNothing) {
   const api::RayTracer tracer(walls);
   const api::Hit kept{3, 3};
   std::vector<api::Hit> hits(2, kept), few(1, kept);
-  const std::vector<api::Left> left = {{0}, {4}}, short_left = {{0}};
+  const std::vector<api::DepartedSurface> departed = {{0}, {4}}, short_left = {{0}};
   expect_fault(tracer.nearest({one, one, one, bad}, hits), Fault::not_finite, 1);
   expect_fault(tracer.nearest({one, one, one, three}, hits), Fault::sizes);
   expect_fault(tracer.nearest({one, one, one, one}, few), Fault::sizes);
-  expect_fault(tracer.nearest({one, one, one, one, left}, hits), Fault::no_such, 1);
+  expect_fault(tracer.nearest({one, one, one, one, departed}, hits), Fault::no_such, 1);
   expect_fault(tracer.nearest({one, one, one, one, short_left}, hits), Fault::sizes);
   EXPECT_EQ(hits, std::vector<api::Hit>(2, kept));
 

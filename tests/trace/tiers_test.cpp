@@ -15,10 +15,10 @@ void add_rays_between(Draws& draw, const std::vector<Vec2>& from, const std::vec
   const auto any = [&](const std::vector<Vec2>& of) { return of[draw.bits() % of.size()]; };
   for (int i = 0; i < count; ++i) {
     const Vec2 origin = any(from);
-    const Left left{
+    const DepartedSurface departed{
         i % 3 == 0 ? static_cast<std::uint32_t>(draw.bits() % c.walls.size()) : kNoSurface,
         Root::none};
-    c.rays.add({origin, any(to) - origin}, left);
+    c.rays.add({origin, any(to) - origin}, departed);
   }
 }
 

@@ -102,7 +102,7 @@ TEST(Ties, AreMetExactlyAmongOtherRays) {
     if (other_first)
       for (int i = 0; i < 8; ++i) mixed.rays.add({8 * draw.point(), draw.point()});
     for (std::size_t i = 0; i < c.rays.size(); ++i) {
-      mixed.rays.add(c.rays.ray(i), c.rays.left[i]);
+      mixed.rays.add(c.rays.ray(i), c.rays.departed[i]);
       if (i % 2 == 0) mixed.rays.add({8 * draw.point(), draw.point() - Vec2(0.5, 0.5)});
       if (i % 8 == 0) mixed.rays.add({c.rays.ray(i).origin, {0, 0}});
     }

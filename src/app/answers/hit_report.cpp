@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "anim/world.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/exact.h"
 #include "scene/outlines/outline.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/portable_math.h"
 #include "geom/bounds.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "scene/outlines/outline.h"
 #include "study/plots/plot.h"
 

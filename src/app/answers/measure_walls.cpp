@@ -15,9 +15,9 @@ constexpr std::uint64_t kMostBounces = 1000;
 struct WallTests {
   std::uint64_t flights = 0, tested = 0, hit = 0;
 
-  void add(const Accelerator& walls, const Ray& ray, const Left& left) {
+  void add(const Accelerator& walls, const Ray& ray, const DepartedSurface& departed) {
     ++flights;
-    tested += walls.tested_of_one(ray, left);
+    tested += walls.tested_of_one(ray, departed);
   }
 };
 
@@ -41,13 +41,13 @@ Result<Savings> measured_walls(const RenderJob& job) {
                                      std::min<std::uint64_t>(ray.bounces, kMostBounces) + 1)
                             .front();
     Ray flight = start;
-    Left left;
+    DepartedSurface departed;
     for (const Bounce& bounce : orbit.bounces) {
-      tests.add(walls.orbits().walls(), flight, left);
+      tests.add(walls.orbits().walls(), flight, departed);
       flight = {bounce.point, bounce.out};
-      left = {bounce.surface, Root::both};
+      departed = {bounce.surface, Root::both};
     }
-    if (orbit.end != OrbitEnd::limit) tests.add(walls.orbits().walls(), flight, left);
+    if (orbit.end != OrbitEnd::limit) tests.add(walls.orbits().walls(), flight, departed);
     tests.hit += orbit.bounces.size() + (orbit.end == OrbitEnd::absorbed ? 1 : 0);
   }
   const auto all = static_cast<double>(count * tests.flights);

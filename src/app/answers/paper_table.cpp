@@ -7,7 +7,7 @@
 
 #include "app/options/arguments.h"
 #include "collide/contact.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 
 namespace flatray {
 namespace {

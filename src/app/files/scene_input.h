@@ -19,7 +19,7 @@ void row_of_threads(OptionTable& row, unsigned& threads);
 /// -f of verbs that show one frame.
 void row_of_frame(OptionTable& row, unsigned& frame);
 
-/// What verbs that read scenes are told of them.
+/// The options of verbs that read scenes.
 struct SceneOptions {
   std::vector<Override> overrides;
   LoadLimits limits{.threads = hardware_threads()};

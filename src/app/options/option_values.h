@@ -12,8 +12,8 @@
 
 namespace flatray {
 
-/// Digits only, the whole text. More than 64 bits hold gives the largest number, which every range
-/// refuses.
+/// Reads a text of digits alone. A number that 64 bits do not hold is given as the largest one,
+/// which every range refuses.
 std::optional<std::uint64_t> parse_whole(std::string_view text);
 
 /// "60s" or "60".
@@ -46,7 +46,7 @@ inline auto time_up_to(double most) {
   return [=](const std::string& text, const Place& where) { return parse_time(text, where, most); };
 }
 
-/// What needs no reading.
+/// Gives a text as it is.
 inline Result<std::string> as_text(const std::string& text, const Place&) { return text; }
 
 /// Pieces of `text` between the characters `at`; words with commas between.

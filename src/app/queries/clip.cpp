@@ -1,5 +1,6 @@
+#include "geom/clip.h"
+
 #include "app/query/query.h"
-#include "geom/cyrus_beck.h"
 
 namespace flatray::queries {
 namespace {

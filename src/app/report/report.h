@@ -36,10 +36,10 @@ struct VerbOutput {
   int exit_code = 0;             ///< 0, 1 (the answer is no) or interrupted_code()
   Diagnostics problems{};  ///< that end the answer: told after it, as those of a failed Result
   bool picture = false;    ///< the text is bytes of a file
-  std::shared_ptr<const void> kept{};  ///< what rows made when they are written are made of
+  std::shared_ptr<const void> kept{};  ///< keeps alive what Table::made makes rows of
 };
 
-/// In the form asked for, of results that it takes out. --json prints one object: schema
+/// The output in the form asked for; takes its results out of it. --json prints one object: schema
 /// "flatray.VERB/1", version, args, results, timing (seconds from when the arguments were read
 /// until this is written), warnings, what the verb tells of all results, and its problems as
 /// "errors".

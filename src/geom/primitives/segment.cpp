@@ -43,7 +43,7 @@ bool passes_near(const Segment& wall, const Vec2& point, const Vec2& reach) {
 
 void meet(const Segment& wall, const Ray& ray, const MeetingRules&, std::vector<WallMeeting>& met) {
   if (const auto hit = hit_segment(ray, wall))
-    met.push_back({hit->t, HitClass::touch, Root::none, hit->place != SegmentHit::Place::inner});
+    met.push_back({hit->t, HitClass::touch, Root::none, hit->part != SegmentHit::Part::inner});
   else if (side_of_ray(ray, wall.a) == Sign::zero && side_of_ray(ray, wall.b) == Sign::zero)
     meet_along(wall, ray, met);
 }

@@ -16,7 +16,7 @@ struct BandItem {
   Bounds bounds;                       ///< nothing of it lies outside
 };
 
-/// The items of a band from the lowest up: a list made when it is asked for, in room that is kept
+/// The items of a band from the lowest up: a list made when it is asked for, in memory that is kept
 /// from band to band. Needs its Bands to stay where they are.
 class Band {
  public:

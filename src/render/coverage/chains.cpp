@@ -56,11 +56,11 @@ constexpr double kSame_px = 0x1p-20;
 constexpr double kCurveSagitta_px = 0.5 * kCapSagitta_px;  // the rest is for what the width adds
 
 // Of a curve: a point, and its direction there, (0, 0) where it has none.
-struct Place {
+struct CurvePoint {
   Vec2 point, ahead;
 };
 
-void go_to(const Place& to, const Vec2& from, Chain& chain) {
+void go_to(const CurvePoint& to, const Vec2& from, Chain& chain) {
   const Vec2 chord = to.point - chain.points.back();
   if (chord == Vec2(0, 0)) return;
   chain.points.push_back(to.point);
@@ -78,9 +78,9 @@ void go_straight(const Vec2& point, Chain& chain) {
 // Goes on by chords of a curve over [0, 1].
 template <class Curve>
 void add_chords(const Curve& at, double chords, Chain& chain) {
-  Place from = at(0);
+  CurvePoint from = at(0);
   for (int i = 1; i <= static_cast<int>(chords); ++i) {
-    const Place to = at(i / chords);
+    const CurvePoint to = at(i / chords);
     go_to(to, from.ahead, chain);
     from = to;
   }
@@ -91,7 +91,7 @@ void add_arc(const EllipseArc& arc, Chain& chain) {
   const EllipseArc ahead{{0, 0}, way * arc.v, -way * arc.u};
   const auto at = [&](double s) {
     const double t = arc.from + arc.sweep * s;
-    return Place{arc.at(t), ahead.at(t)};
+    return CurvePoint{arc.at(t), ahead.at(t)};
   };
   go_straight(arc.start(), chain);
   add_chords(at, chord_count(arc, kCurveSagitta_px), chain);
@@ -138,7 +138,7 @@ void add_curve(const Bezier& curve, Chain& chain) {
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const auto at = [&](double part) {
       const double s = part < 1 ? cuts[k] + part * (cuts[k + 1] - cuts[k]) : cuts[k + 1];
-      return Place{s < 1 ? point_at(curve, s) : curve.end(), ahead_at(curve, s)};
+      return CurvePoint{s < 1 ? point_at(curve, s) : curve.end(), ahead_at(curve, s)};
     };
     const double chords = std::min(wanted, kMostChords) * (cuts[k + 1] - cuts[k]);
     add_chords(at, std::max(1.0, std::ceil(chords)), chain);

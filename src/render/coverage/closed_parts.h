@@ -2,8 +2,8 @@
 #include <variant>
 
 #include "anim/frame_state.h"
+#include "geom/clip.h"
 #include "geom/curved_path.h"
-#include "geom/cyrus_beck.h"
 #include "trace/rays.h"
 #include "trace/surfaces.h"
 

@@ -2,7 +2,7 @@
 #include "anim/world.h"
 #include "base/counted.h"
 #include "geom/box_tree.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/interval_set.h"
 #include "render/pass.h"
 #include "scene/outlines/outline.h"

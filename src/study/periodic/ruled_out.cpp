@@ -9,9 +9,9 @@ constexpr int kMostBoxes = 20'000;
 constexpr double kLeastHalf = 0x1p-10;
 
 // Boxes of places: each curve is two charts of half of it, q from -1 to 1.
-class Search {
+class OrbitExclusion {
  public:
-  Search(const MirrorRoom& room, const Word& word)
+  OrbitExclusion(const MirrorRoom& room, const Word& word)
       : room_(room), word_(word), unfolded_(unfold(room, word, curved_places(room, word))) {}
 
   bool rules_out_all() {
@@ -57,7 +57,7 @@ bool is_ruled_out(const MirrorRoom& room, const Word& word) {
   for (std::size_t i = 0; i < word.size(); ++i)
     if (word[i] == word[(i + 1) % word.size()] && room.mirrors[word[i]].arc) return false;
   const std::size_t curves = curved_places(room, word).size();
-  return curves > 0 && curves <= kMostCurves && Search(room, word).rules_out_all();
+  return curves > 0 && curves <= kMostCurves && OrbitExclusion(room, word).rules_out_all();
 }
 
 }  // namespace flatray

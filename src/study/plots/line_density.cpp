@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "study/plots/palette.h"
 
 namespace flatray {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "study/plots/plot_axes.h"
 #include "study/plots/plot_labels.h"
 

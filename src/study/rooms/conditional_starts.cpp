@@ -62,7 +62,7 @@ std::vector<OrbitStart> in_front_of_walls(const Room& room, const std::vector<Wa
     starts.push_back(one.at);
     const Sign side = side_of_start(room, one.at);
     const auto origin = nearest_double(one.at.ray.origin, [&](const Vec2& point) {
-      return room.walls().visit(one.at.left.surface,
+      return room.walls().visit(one.at.departed.surface,
                                 [&](const auto& wall) { return side_of(wall, point) != -side; });
     });
     if (origin) starts.back().ray.origin = *origin;

@@ -153,16 +153,16 @@ OrbitStart Room::draw_start_in(const Stretch& all, std::uint64_t seed, std::uint
         std::sqrt((1 - sine) * (1 + sine)) * normal + sine * Vec2(-normal.y(), normal.x());
     if (!leads_away(walls(), surface, side, *origin, direction)) continue;
     const Root root =
-        walls().visit(surface, [&](const auto& wall) { return root_left(wall, side); });
+        walls().visit(surface, [&](const auto& wall) { return root_departed(wall, side); });
     return {{*origin, direction}, {surface, root}, chance_of(seed, number)};
   }
 }
 
-Left Room::left_by(const Bounce& bounce) const {
+DepartedSurface Room::departed_by(const Bounce& bounce) const {
   const Vec2 positive = wall_normal(walls(), bounce.surface, bounce.point);
   const Sign side = bounce.normal.dot(positive) < 0 ? Sign::negative : Sign::positive;
   return walls().visit(bounce.surface, [&](const auto& wall) {
-    return Left{bounce.surface, root_left(wall, side)};
+    return DepartedSurface{bounce.surface, root_departed(wall, side)};
   });
 }
 

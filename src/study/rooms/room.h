@@ -53,7 +53,7 @@ class Room {
     return draw_start_in({before_[hole], before_[hole + 1]}, seed, number, Starts::random);
   }
   /// What has just left a wall by a bounce.
-  Left left_by(const Bounce& bounce) const;
+  DepartedSurface departed_by(const Bounce& bounce) const;
   /// The side of a wall on which orbits are (geom/primitives/wall.h); nullopt: both.
   std::optional<Sign> inner_side(std::uint32_t surface) const;
   /// A start in the free part of a closed chamber, uniform in place and direction: the measure that

@@ -25,7 +25,7 @@ class NextLevel : public OrbitSink {
     std::vector<Walker> all;
     for (std::size_t i = 0; i < from_.size(); ++i)
       if (last_[i])
-        all.push_back({{{last_[i]->point, last_[i]->out}, room_.left_by(*last_[i])},
+        all.push_back({{{last_[i]->point, last_[i]->out}, room_.departed_by(*last_[i])},
                        from_[i].way + last_[i]->path_length,
                        from_[i].ancestor});
     return all;
@@ -47,8 +47,8 @@ std::vector<double> ways_of(const std::vector<Walker>& walkers) {
 }
 
 bool leads_on(const Room& room, const OrbitStart& start) {
-  return leads_away(room.walls(), start.left.surface, side_of_start(room, start), start.ray.origin,
-                    start.ray.direction);
+  return leads_away(room.walls(), start.departed.surface, side_of_start(room, start),
+                    start.ray.origin, start.ray.direction);
 }
 
 // As far as it still leads away from its wall.
@@ -86,9 +86,10 @@ SplitGroup SplitGroup::from(std::span<const double> numbers) {
 }
 
 Sign side_of_start(const Room& room, const OrbitStart& start) {
-  const std::uint32_t wall = start.left.surface;
+  const std::uint32_t wall = start.departed.surface;
   const Sign here = room.walls().visit(wall, [&](const auto& one) {
-    return root_left(one, Sign::positive) == start.left.root ? Sign::positive : Sign::negative;
+    return root_departed(one, Sign::positive) == start.departed.root ? Sign::positive
+                                                                     : Sign::negative;
   });
   return room.inner_side(wall).value_or(here);
 }

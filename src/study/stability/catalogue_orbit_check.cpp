@@ -87,10 +87,10 @@ bool is_same(const Orbit& a, const Orbit& b) {
 }
 
 // On the inner side of a curve the root by which a ray would enter is the one just left.
-Left left_by(const Surfaces& walls, const Bounce& bounce) {
-  return walls.visit(bounce.surface, [&](const auto& wall) -> Left {
+DepartedSurface departed_by(const Surfaces& walls, const Bounce& bounce) {
+  return walls.visit(bounce.surface, [&](const auto& wall) -> DepartedSurface {
     const bool out = bounce.normal.dot(normal_near(wall, bounce.point)) > 0;
-    return {bounce.surface, root_left(wall, out ? Sign::positive : Sign::negative)};
+    return {bounce.surface, root_departed(wall, out ? Sign::positive : Sign::negative)};
   });
 }
 
@@ -105,7 +105,7 @@ Legs legs_of(const Surfaces& walls, std::span<const Orbit> orbits) {
   for (const Orbit& orbit : orbits)
     for (std::size_t i = 1; i < orbit.bounces.size(); ++i) {
       const Bounce& from = orbit.bounces[i - 1];
-      legs.rays.add({from.point, from.out}, left_by(walls, from));
+      legs.rays.add({from.point, from.out}, departed_by(walls, from));
       legs.next.push_back(orbit.bounces[i]);
     }
   return legs;

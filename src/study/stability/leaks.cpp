@@ -123,8 +123,8 @@ double float_grain(const Surfaces& walls) {
 }
 
 // An answer that is not the exact one, in a straight room.
-void classify(const Surfaces& walls, const Ray& ray, const Left& left, const NearestHit& truth,
-              const NearestHit& hit, LeakTally& tally) {
+void classify(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
+              const NearestHit& truth, const NearestHit& hit, LeakTally& tally) {
   if (!hit) {
     ++tally.nothing;
     return;
@@ -134,7 +134,7 @@ void classify(const Surfaces& walls, const Ray& ray, const Left& left, const Nea
   const Segment& other = walls.segments[hit.surface];
   const Vec2 point = ray.origin + truth.t * ray.direction;
   const auto is_near = [&](const Vec2& end) { return (end - point).norm() <= grain; };
-  ExactNearest alone(walls, ray, left, true);
+  ExactNearest alone(walls, ray, departed, true);
   alone.offer(hit.surface);
   const NearestHit met = alone.hit();
   const bool shared = (is_near(first.a) && (first.a == other.a || first.a == other.b)) ||
@@ -164,7 +164,7 @@ void compare_all(const Tracer& tracer, const Surfaces& walls, const std::vector<
   tally.asked += batch.size();
   for (std::size_t i = 0; i < hits.size(); ++i)
     if (truth[i] && hits[i].surface != truth[i].surface)
-      classify(walls, batch.ray(i), batch.left[i], truth[i], hits[i], tally);
+      classify(walls, batch.ray(i), batch.departed[i], truth[i], hits[i], tally);
 }
 
 }  // namespace

@@ -109,9 +109,9 @@ Answer cores_meet(const Body& a, const Body& b, double length) {
   return answer;
 }
 
-class Search {
+class TouchFinder {
  public:
-  Search(const Timeline& timeline, unsigned last_frame, double seconds)
+  TouchFinder(const Timeline& timeline, unsigned last_frame, double seconds)
       : timeline_(timeline),
         scene_(timeline.scene()),
         last_(last_frame),
@@ -306,7 +306,7 @@ std::string PairTruth::words() const {
 }
 
 PairTruth pair_truth(const Timeline& timeline, unsigned last_frame, double seconds) {
-  return Search(timeline, last_frame, seconds).run();
+  return TouchFinder(timeline, last_frame, seconds).run();
 }
 
 PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& found) {

@@ -32,14 +32,14 @@ enum GeometryId : unsigned { kSegments, kCurves };
 
 struct Query {
   Context context;  // first: what the callbacks are given
-  unsigned left;
+  unsigned departed;
   const FlatrayEmbreeAsker* asker;
 };
 
 void leave_out(const RTCFilterFunctionNArguments* arguments) {
   const auto* query = reinterpret_cast<const Query*>(arguments->context);
   for (unsigned i = 0; i < arguments->N; ++i)
-    if (RTCHitN_primID(arguments->hit, arguments->N, i) == query->left) arguments->valid[i] = 0;
+    if (RTCHitN_primID(arguments->hit, arguments->N, i) == query->departed) arguments->valid[i] = 0;
 }
 
 // Whether Embree gave it the memory.
@@ -180,7 +180,7 @@ void nearest(const FlatrayEmbreeScene* scene, const FlatrayEmbreeRay* rays, unsi
     r.ray = {ray.ox, ray.oy, 0, 0, ray.dx, ray.dy, 0, 0, kNever, ~0U, i, 0};
     r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     r.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    query.left = ray.left;
+    query.departed = ray.departed;
 #if FLATRAY_EMBREE_MAJOR == 4
     rtcIntersect1(scene->scene, &r, &arguments);
 #else

@@ -21,7 +21,7 @@ struct FlatrayEmbreeWalls {
 
 struct FlatrayEmbreeRay {
   float ox, oy, dx, dy;
-  unsigned left; /* number of the segment not to be met */
+  unsigned departed; /* number of the segment not to be met */
 };
 
 struct FlatrayEmbreeHit {

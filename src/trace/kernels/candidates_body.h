@@ -6,7 +6,7 @@ constexpr float kFar = 1e30F;
 // A ray, the same in every lane, and its bounds.
 struct Line {
   Float ox, oy, dx, dy, side, time;
-  unsigned left;  // slot of the segment just left, or kNone
+  unsigned departed;  // slot of the segment just left, or kNone
 };
 
 // The best sure hit, and the least t that any other wall not ruled out could have.
@@ -39,7 +39,7 @@ inline void weigh(const Grid& grid, const Line& line, const Open& o, unsigned re
   for (; open != 0; open &= open - 1) {
     const int lane = __builtin_ctz(open);
     const unsigned slot = grid.slots[record + static_cast<unsigned>(lane)];
-    if (high[lane] < 0 || slot == line.left || slot == r.slot) continue;
+    if (high[lane] < 0 || slot == line.departed || slot == r.slot) continue;
     if ((sure_bits >> lane & 1U) != 0 && 0 < low[lane] && high[lane] < r.high) {
       r.other = r.other < r.low ? r.other : r.low;
       r.low = low[lane];

@@ -32,12 +32,12 @@ void set_ends(const Grid& grid, const Walking& walking, int i, Real end) {
 }
 
 // Of the walls just left, what their records begin with.
-void mark_left(const Grid& grid, const Walking& walking, int i) {
+void mark_departed(const Grid& grid, const Walking& walking, int i) {
   unsigned slot[FLATRAY_LANES];
   int known[FLATRAY_LANES];
   for (int k = 0; k < FLATRAY_LANES; ++k) {
-    const bool none = walking.left[i + k] == kNone;
-    slot[k] = none ? 0 : walking.left[i + k];
+    const bool none = walking.departed[i + k] == kNone;
+    slot[k] = none ? 0 : walking.departed[i + k];
     known[k] = none ? 0 : 1;
   }
   const Ends wall = fetch_ends(grid.ends, slot);
@@ -46,9 +46,9 @@ void mark_left(const Grid& grid, const Walking& walking, int i) {
   const auto put = [&](float* to, Real at, double centre, double scale) {
     store_single(to + i, choose(any, (at - all(centre)) * all(scale), none));
   };
-  put(walking.left_ax, wall.ax, grid.centre_x, grid.scale_x);
-  put(walking.left_ay, wall.ay, grid.centre_y, grid.scale_y);
-  put(walking.left_bx, wall.bx, grid.centre_x, grid.scale_x);
+  put(walking.departed_ax, wall.ax, grid.centre_x, grid.scale_x);
+  put(walking.departed_ay, wall.ay, grid.centre_y, grid.scale_y);
+  put(walking.departed_bx, wall.bx, grid.centre_x, grid.scale_x);
 }
 
 bool prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fate) {
@@ -86,7 +86,7 @@ bool prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fa
       const Real size_x = size(r.dx), size_y = size(r.dy), inverse = one / (size_x * size_y);
       store_single(walking.inverse_x + i, size_y * inverse);
       store_single(walking.inverse_y + i, size_x * inverse);
-      if (walking.left != nullptr) mark_left(grid, walking, i);
+      if (walking.departed != nullptr) mark_departed(grid, walking, i);
     }
     if (walking.up_to != nullptr)
       set_ends(grid, walking, i, load(walking.up_to + i) * length - r.skipped);

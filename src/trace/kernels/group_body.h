@@ -25,7 +25,7 @@ struct Group : Asked {
   // Turned so that it goes up and to the right: cells are entered in rising order.
   Float from_x, from_y, step_x, step_y, inverse_x, inverse_y;
   Float turn_x, turn_y, first;  // cell of corner (x, y), turned: first + turn_x x + turn_y y
-  Float left_ax, left_ay, left_bx;
+  Float departed_ax, departed_ay, departed_bx;
   Float ray;              // its number
   Int quadrant;           // shift of the word of an empty cell
   Float x, y;             // where a cell is entered, then its corner, turned

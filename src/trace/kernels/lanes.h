@@ -4,9 +4,9 @@
 // What the kernels take and give: plain data only, so that nothing compiled for one instruction-set
 // tier can be picked by the linker for another.
 //
-// The kernels cull. They work in plain doubles with an error bound for the whole ray, and say
-// "sure" only where the bound proves it; every other ray is decided again by the exact code. So
-// every tier gives the same answers.
+// The kernels cull, and say "sure" only where a bound proves it; every other ray is decided again
+// by the exact code. So every tier gives the same answers. The kernel for polygons works in doubles
+// with one bound for the whole ray; those for walls work in floats (walk.h).
 //
 // Of a polygon the bound is, with u = 2^-53, W = A - o for a vertex A, and X, Y at least the largest
 // |W_x|, |W_y| as computed (rounding is monotone, so the box of all vertices gives them): a

@@ -23,12 +23,12 @@ struct Course {
   bool left, down;
 };
 
-template <bool some_left>
+template <bool some_departed>
 class Packet {
  public:
   Packet(const Grid& grid, const Walking& rays, int first) : grid_(grid), c_(constants_of(grid)) {
     load_rays(rays, first, g_);
-    if (some_left) left_ = load(rays.left + first);
+    if (some_departed) departed_ = load(rays.departed + first);
     const Mask in_ring = less(g_.ox, all(static_cast<float>(0 - grid.half_x)));
     const int count = rays.count - first;
     open_ = but_not(lanes_of(count < kLanes ? (1U << count) - 1 : kEveryLane), in_ring);
@@ -168,7 +168,7 @@ class Packet {
       if (!is_recent(*slot)) {
         g_.record = all(static_cast<int>(*slot));
         Mask out = either(but_not(all_lanes(), live_), equal(g_.best, g_.record));
-        if (some_left) out = either(out, equal(left_, g_.record));
+        if (some_departed) out = either(out, equal(departed_, g_.record));
         judge<true>(c_, spread_record(at), out, g_);
       }
       if (is_last(at)) return;
@@ -197,7 +197,7 @@ class Packet {
   const Grid& grid_;
   const Constants c_;
   Asked g_;
-  Int left_{};
+  Int departed_{};
   Float inverse_x_, inverse_y_;
   Mask open_, live_{};  // rays still to go; those of them under way
   Course course_{};
@@ -207,15 +207,15 @@ class Packet {
   unsigned recent_[4];  // walls tested last
 };
 
-template <bool some_left>
+template <bool some_departed>
 void walk_together(const Grid& grid, const Walking& rays, int* found) {
   for (int i = 0; i < rays.count; i += kLanes)
-    write_verdicts(Packet<some_left>(grid, rays, i).run(), rays.up_to != nullptr, found + i);
+    write_verdicts(Packet<some_departed>(grid, rays, i).run(), rays.up_to != nullptr, found + i);
 }
 
 void walk(const Grid& grid, const Walking& rays, int* found) {
   const bool together = go_together(rays, 3);
-  if (rays.left != nullptr)
+  if (rays.departed != nullptr)
     (together ? walk_together<true> : walk_all<true>)(grid, rays, found);
   else
     (together ? walk_together<false> : walk_all<false>)(grid, rays, found);

@@ -21,7 +21,7 @@ inline bool go_together(const Walking& rays, float most_apart) {
 }
 
 // Every record against the next rays, lane by lane.
-template <bool some_left, bool together>
+template <bool some_departed, bool together>
 void scan_all(const Grid& grid, const Walking& rays, int* found) {
   const Constants c = constants_of(grid);
   const Float edge = all(static_cast<float>(0 - grid.half_x));
@@ -29,11 +29,11 @@ void scan_all(const Grid& grid, const Walking& rays, int* found) {
     Asked g;
     load_rays(rays, i, g);
     const Mask in_ring = less(g.ox, edge);
-    const Int left = some_left ? load(rays.left + i) : all(kNoRecord);
+    const Int departed = some_departed ? load(rays.departed + i) : all(kNoRecord);
     const unsigned* slot = grid.slots;
     for (const float* record = grid.records;; record += 4, ++slot) {
       g.record = all(static_cast<int>(*slot));
-      const Mask out = some_left ? either(in_ring, equal(left, g.record)) : in_ring;
+      const Mask out = some_departed ? either(in_ring, equal(departed, g.record)) : in_ring;
       judge<together>(c, spread_record(record), out, g);
       if (is_last(record)) break;
     }
@@ -43,7 +43,7 @@ void scan_all(const Grid& grid, const Walking& rays, int* found) {
 
 [[maybe_unused]] void scan(const Grid& grid, const Walking& rays, int* found) {
   const bool together = go_together(rays, 0.5F);
-  if (rays.left != nullptr)
+  if (rays.departed != nullptr)
     (together ? scan_all<true, true> : scan_all<true, false>)(grid, rays, found);
   else
     (together ? scan_all<false, true> : scan_all<false, false>)(grid, rays, found);

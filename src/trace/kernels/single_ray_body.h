@@ -48,7 +48,7 @@ inline double floor_of(double x) {  // of what an int can hold
 // A ray as given; `left` as walk.h has it.
 struct SingleRay {
   double ox, oy, dx, dy;
-  unsigned left;
+  unsigned departed;
 };
 
 // A ray in cells, as it is and turned: what is known of it in doubles.
@@ -95,7 +95,7 @@ inline Fate prepare(const Grid& grid, const SingleRay& ray, Start& s) {
 
 // As records in the lanes of list:: or records:: take it.
 template <class Line, class All>
-Line line_of(const Grid& grid, const Start& s, unsigned left, const All& all_of) {
+Line line_of(const Grid& grid, const Start& s, unsigned departed, const All& all_of) {
   const auto in_all = [&](double value) { return all_of(static_cast<float>(value)); };
   const double unit = static_cast<double>(grid.unit) * (s.step_x + s.step_y);
   return {in_all(s.x),
@@ -104,7 +104,7 @@ Line line_of(const Grid& grid, const Start& s, unsigned left, const All& all_of)
           in_all(s.turn_y * s.step_y),
           in_all(kSide * unit),
           in_all(kTime * unit),
-          left};
+          departed};
 }
 
 class Walk {
@@ -215,18 +215,18 @@ SingleHit answer(const Grid& grid, const SingleRay& ray, const Candidates& candi
   return hit;
 }
 
-SingleHit nearest(const Grid& grid, double ox, double oy, double dx, double dy, unsigned left) {
-  const SingleRay ray{ox, oy, dx, dy, left};
+SingleHit nearest(const Grid& grid, double ox, double oy, double dx, double dy, unsigned departed) {
+  const SingleRay ray{ox, oy, dx, dy, departed};
   Start start;
   const Fate fate = prepare(grid, ray, start);
   if (fate != Fate::walks) return {fate == Fate::misses ? kNoRecord : kDoubt, 0, 0};
   if (grid.cells == nullptr) {
     list::Candidates candidates;
     const auto in_all = [](float value) { return list::all(value); };
-    list::test_list(grid, line_of<list::Line>(grid, start, ray.left, in_all), 0, candidates);
+    list::test_list(grid, line_of<list::Line>(grid, start, ray.departed, in_all), 0, candidates);
     return answer(grid, ray, candidates);
   }
   const auto in_all = [](float value) { return records::all(value); };
-  const Line line = line_of<Line>(grid, start, ray.left, in_all);
+  const Line line = line_of<Line>(grid, start, ray.departed, in_all);
   return answer(grid, ray, Walk(grid, start, line).run());
 }

@@ -65,8 +65,8 @@ struct Grid {
 struct Walking {
   const float* number;                               ///< 0, 1, 2, ...
   float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;  ///< the inverses without their signs
-  const unsigned* left;                ///< slot of the segment just left, or kNone; null: of no ray
-  float *left_ax, *left_ay, *left_bx;  ///< of its records, NaN where there is none
+  const unsigned* departed;  ///< slot of the segment just left, or kNone; null: of no ray
+  float *departed_ax, *departed_ay, *departed_bx;  ///< of its records, NaN where there is none
   /// Where rays end, in lengths of their directions, whole vectors; null: nowhere.
   const double* up_to;
   float *end_low, *end_high;  ///< t between which that is, where rays end
@@ -116,7 +116,8 @@ struct WalkKernels {
   /// All of it for one ray, `left` the slot of the segment just left or kNone; of every record where there
   /// are no cells. Numbers come in registers: to read together from memory what was just written one by one
   /// would wait for the ray before.
-  SingleHit (*single_ray)(const Grid&, double ox, double oy, double dx, double dy, unsigned left);
+  SingleHit (*single_ray)(const Grid&, double ox, double oy, double dx, double dy,
+                          unsigned departed);
 };
 
 }  // namespace flatray::lanes

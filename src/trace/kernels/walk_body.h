@@ -1,7 +1,7 @@
 // The walk through the grid, written once over the lanes of single_vector.h, the groups of group_body.h
 // and the judge of judge_body.h.
 
-template <bool some_left>
+template <bool some_departed>
 inline void test(const Constants& c, const float* records, Group& g) {
   alignas(64) unsigned at[kLanes];
   const Mask idle = negative(g.record);
@@ -11,9 +11,9 @@ inline void test(const Constants& c, const float* records, Group& g) {
   const Record r =
       fetch([&](int lane) { return records + 2 * static_cast<unsigned long>(at[lane]); });
   Mask out = idle;
-  if (some_left)
-    out = either(
-        out, both(both(equal(r.ax, g.left_ax), equal(r.ay, g.left_ay)), equal(r.bx, g.left_bx)));
+  if (some_departed)
+    out = either(out, both(both(equal(r.ax, g.departed_ax), equal(r.ay, g.departed_ay)),
+                           equal(r.bx, g.departed_bx)));
   judge<false>(c, r, out, g);
   const Mask last = either(idle, odd(r.by));
   g.moving = both(g.live, last);
@@ -113,10 +113,10 @@ void take(const Constants& c, unsigned lanes, Group& g, Queue& queue) {
   g.dy = spread(lanes, r.dy + from, g.dy);
   g.inverse_x = spread(lanes, r.inverse_x + from, g.inverse_x);
   g.inverse_y = spread(lanes, r.inverse_y + from, g.inverse_y);
-  if (r.left != nullptr) {
-    g.left_ax = spread(lanes, r.left_ax + from, g.left_ax);
-    g.left_ay = spread(lanes, r.left_ay + from, g.left_ay);
-    g.left_bx = spread(lanes, r.left_bx + from, g.left_bx);
+  if (r.departed != nullptr) {
+    g.departed_ax = spread(lanes, r.departed_ax + from, g.departed_ax);
+    g.departed_ay = spread(lanes, r.departed_ay + from, g.departed_ay);
+    g.departed_bx = spread(lanes, r.departed_bx + from, g.departed_bx);
   }
   Float farthest = all(kFar);
   if (r.up_to != nullptr) {
@@ -157,7 +157,7 @@ inline bool settle(const Constants& c, Group& g, Queue& queue) {
   return bits(g.live) != 0;
 }
 
-template <bool some_left>
+template <bool some_departed>
 void walk_all(const Grid& grid, const Walking& rays, int* found) {
   const Constants c = constants_of(grid);
   Queue queue{grid.slots, rays, found, 0};
@@ -169,7 +169,7 @@ void walk_all(const Grid& grid, const Walking& rays, int* found) {
     enter(c, grid.cells, grid.records, grid.is_large, g);
   }
   for (bool busy = true; busy;) {
-    for (Group& g : groups) test<some_left>(c, grid.records, g);
+    for (Group& g : groups) test<some_departed>(c, grid.records, g);
     for (Group& g : groups) advance(g);
     busy = false;
     for (Group& g : groups) busy = settle(c, g, queue) || busy;

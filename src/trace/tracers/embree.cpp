@@ -62,7 +62,7 @@ class Embree : public Accelerator {
       asked.scale.push_back(unit_scale(ray.direction));
       const auto start = plain::start_of<float>({ray.origin, asked.scale[i] * ray.direction});
       given.push_back(
-          {start.x, start.y, start.dx, start.dy, walls_.segment_slot(rays.left[i].surface)});
+          {start.x, start.y, start.dx, start.dy, walls_.segment_slot(rays.departed[i].surface)});
       hits[i] = {};
     }
     const FlatrayEmbreeAsker asker = {&meets, &asked};
@@ -92,7 +92,7 @@ class Embree : public Accelerator {
     best.t = asked.scale[ray] * static_cast<double>(*t);
     const Surfaces& walls = asked.tracer.walls_;
     plain::offer_curve<float>(walls, walls.curve_numbers[curve], asked.rays.ray(ray),
-                              asked.rays.left[ray], best);
+                              asked.rays.departed[ray], best);
     if (!best) return false;
     asked.hits[ray] = best;
     *t = plain::single(best.t / asked.scale[ray]);

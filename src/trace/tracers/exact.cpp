@@ -7,8 +7,9 @@ namespace {
 class Exact : public Accelerator {
  public:
   using Accelerator::Accelerator;
-  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
-    ExactNearest search(walls_, ray, left, tangents);
+  NearestHit nearest_of_one(const Ray& ray, const DepartedSurface& departed,
+                            bool tangents) const override {
+    ExactNearest search(walls_, ray, departed, tangents);
     for (std::uint32_t surface = 0; surface < walls_.size(); ++surface) search.offer(surface);
     return search.hit();
   }

@@ -51,7 +51,7 @@ struct Walls {
 
 struct Rays {
   double *x, *y, *dx, *dy;
-  double* left;  ///< slot of the wall just left, and a half more inside a curve; -1: none
+  double* departed;  ///< slot of the wall just left, and a half more inside a curve; -1: none
 };
 
 /// Flights of `count` rays whose directions are of length 1.

@@ -23,7 +23,7 @@ Pair pair_at(const double* of) { return {all(of[0]), all(of[1])}; }
 // A group of rays on its way to its walls.
 struct Group {
   Pair o, d;
-  Real left, near;
+  Real departed, near;
   Real best = all(kInfinite), second = all(kInfinite);  // the two first walls
   Real open = all(kInfinite);                           // the first that is not decided
   Real wall = all(0);
@@ -56,7 +56,7 @@ void meet_segment(Group& g, const double* wall, int slot) {
   const Real beside = size((dot(u, g.o) - all(wall[kMiddle])) + t * dot(u, g.d));
   const Mask is_on = less(beside, all(wall[kHalf]) + g.near);
   const Mask at_end = less(all(wall[kHalf]) - g.near, beside);
-  g.offer(t, but_not(is_on, equal(g.left, all(slot))), at_end, slot);
+  g.offer(t, but_not(is_on, equal(g.departed, all(slot))), at_end, slot);
 }
 
 // A curve in a root, at a point as seen from its centre.
@@ -75,7 +75,7 @@ void meet_root(Group& g, const double* wall, Real t, const Pair& w, int slot) {
 // t = 0, so the other is known without c.
 void meet_curve(Group& g, const double* wall, const Pair& w, Real a, Real b, Real q, Real scale,
                 int slot) {
-  const Mask outside = equal(g.left, all(slot)), inside = equal(g.left, all(slot + 0.5));
+  const Mask outside = equal(g.departed, all(slot)), inside = equal(g.departed, all(slot + 0.5));
   const Mask stood_on = either(outside, inside);
   const Real s = root(q), never = all(kInfinite), middle = all(0) - b;
   const Real first = choose(stood_on, never, (middle - s) / a);
@@ -107,8 +107,8 @@ void meet_ellipse(Group& g, const double* wall, int slot) {
 // Where flights end: on the wall, by the direction that it is left in.
 struct Arrival {
   Pair point, out, normal;
-  Real left, turned;  // -1 where the normal is away from the ray
-  Real incidence;     // square of its cosine
+  Real departed, turned;  // -1 where the normal is away from the ray
+  Real incidence;         // square of its cosine
   Real event;
 };
 
@@ -155,7 +155,7 @@ Pair choose_pair(Mask m, const Pair& yes, const Pair& no) {
 
 Arrival choose_arrival(Mask m, const Arrival& yes, const Arrival& no) {
   return {choose_pair(m, yes.point, no.point),   choose_pair(m, yes.out, no.out),
-          choose_pair(m, yes.normal, no.normal), choose(m, yes.left, no.left),
+          choose_pair(m, yes.normal, no.normal), choose(m, yes.departed, no.departed),
           choose(m, yes.turned, no.turned),      choose(m, yes.incidence, no.incidence),
           choose(m, yes.event, no.event)};
 }
@@ -180,7 +180,7 @@ void put(const Group& g, const Walls& walls, const Flights& flights, int i) {
   store(flights.to.y + i, at.point.y);
   store(flights.to.dx + i, sized * at.out.x);
   store(flights.to.dy + i, sized * at.out.y);
-  store(flights.to.left + i, at.left);
+  store(flights.to.departed + i, at.departed);
   store(flights.t + i, g.best);
   store(flights.wall + i, g.wall);
   store(flights.nx + i, at.turned * at.normal.x);
@@ -198,7 +198,7 @@ void put(const Group& g, const Walls& walls, const Flights& flights, int i) {
   for (int i = 0; i < flights.count; i += FLATRAY_LANES) {
     Group g{{load(from.x + i), load(from.y + i)},
             {load(from.dx + i), load(from.dy + i)},
-            load(from.left + i),
+            load(from.departed + i),
             all(walls.near)};
     int slot = 0;
     const double* wall = walls.records;

@@ -149,7 +149,7 @@ class Backward {
         for (std::size_t c = 0; c < 3; ++c)
           one.light[c] = path.weight[c] * part * sight->fluence[c];
         looks_.push_back(one);
-        looking_.add(towards.ray, towards.left);
+        looking_.add(towards.ray, towards.departed);
         if (looks_.size() == kMostLooks) add_looks();
       }
     }
@@ -160,8 +160,8 @@ class Backward {
       of_.walls_.tracer().nearest(looking_, hits);
       for (std::size_t i = 0; i < looks_.size(); ++i) {
         const Look& one = looks_[i];
-        const auto passed =
-            of_.lamps_.passes(one.from, looking_.ray(i), looking_.left[i], hits[i], one.bounces);
+        const auto passed = of_.lamps_.passes(one.from, looking_.ray(i), looking_.departed[i],
+                                              hits[i], one.bounces);
         for (std::size_t c = 0; c < 3; ++c)
           sums_[one.path][c] += static_cast<double>(passed[c]) * one.light[c];
       }

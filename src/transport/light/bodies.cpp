@@ -70,9 +70,9 @@ Fading fading(double absorption, double length) {
   return {left, depth < 0x1p-10 ? series : (1 - left) / depth};
 }
 
-bool goes_inside(const Surfaces& walls, const Left& left, const Vec2& direction) {
-  return walls.visit(left.surface, [&](const auto& wall) {
-    return -side_met(wall, {{0, 0}, direction}, left.root) == inside_of(wall);
+bool goes_inside(const Surfaces& walls, const DepartedSurface& departed, const Vec2& direction) {
+  return walls.visit(departed.surface, [&](const auto& wall) {
+    return -side_met(wall, {{0, 0}, direction}, departed.root) == inside_of(wall);
   });
 }
 

@@ -67,6 +67,6 @@ struct Fading {
 Fading fading(double absorption, double length);
 
 /// Whether a ray goes on inside a closed shape, having left a wall of it.
-bool goes_inside(const Surfaces& walls, const Left& left, const Vec2& direction);
+bool goes_inside(const Surfaces& walls, const DepartedSurface& departed, const Vec2& direction);
 
 }  // namespace flatray

@@ -52,7 +52,7 @@ class Media {
 /// Light under way.
 struct LightRay {
   Ray ray;  ///< direction of length 1
-  Left left;
+  DepartedSurface departed;
   LightWeight weight{0, 0, 0};
   std::uint32_t number = 0;  ///< in its block
   float nm = 0;              ///< wavelength; 0: all of them together

@@ -25,10 +25,10 @@ bool LitWalls::sets_off(LightRay& ray) const {
   if (bodies_.any()) ray.media = bodies_.around(ray.ray.origin);
   if (stood_on.empty()) return true;
   if (stood_on.size() > 1 || is_end(walls_, stood_on.front(), ray.ray.origin)) return false;
-  ray.left = {stood_on.front(), root_stood_on(walls_, stood_on.front(), ray.ray)};
-  if (runs_along(walls_, ray.left, ray.ray.direction)) return false;
-  const std::uint32_t body = bodies_.of(ray.left.surface);
-  if (body != Media::kNone && goes_inside(walls_, ray.left, ray.ray.direction))
+  ray.departed = {stood_on.front(), root_stood_on(walls_, stood_on.front(), ray.ray)};
+  if (runs_along(walls_, ray.departed, ray.ray.direction)) return false;
+  const std::uint32_t body = bodies_.of(ray.departed.surface);
+  if (body != Media::kNone && goes_inside(walls_, ray.departed, ray.ray.direction))
     ray.media.enter(body);
   return true;
 }
@@ -37,7 +37,7 @@ void LitWalls::fly(std::span<const LightRay> rays, std::span<LightHit> met) cons
   RayBatch batch;
   batch.tangents = false;
   batch.resize(rays.size());
-  for (std::size_t i = 0; i < rays.size(); ++i) batch.set(i, rays[i].ray, rays[i].left);
+  for (std::size_t i = 0; i < rays.size(); ++i) batch.set(i, rays[i].ray, rays[i].departed);
   std::vector<NearestHit> hits(rays.size());
   tracer_->nearest(batch, hits);
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -116,8 +116,8 @@ bool LitWalls::sets_off_from(LightRay& ray, const LightHit& met, bool stays) con
     const bool back = leads_away(walls_, surface, side(met), met.point, direction);
     if (stays && !back) return false;
     if (!back) ray.ray.origin = beyond(met);
-    ray.left = {surface, root_stood_on(walls_, surface, ray.ray)};
-    return !runs_along(walls_, ray.left, direction);
+    ray.departed = {surface, root_stood_on(walls_, surface, ray.ray)};
+    return !runs_along(walls_, ray.departed, direction);
   }
   const double cosine = met.normal.dot(direction);
   constexpr double kLeast = OffsetOrigins::kLeastCosine * OffsetOrigins::kLeastCosine;
@@ -129,11 +129,11 @@ bool LitWalls::sets_off_from(LightRay& ray, const LightHit& met, bool stays) con
                         : cosine > 0;
   ray.ray.origin += (back ? met.offset : -met.offset) * met.normal;
   const Sign to = back ? side(met) : -side(met);
-  ray.left = {surface,
-              walls_.visit(surface, [&](const auto& wall) { return root_left(wall, to); })};
+  ray.departed = {surface,
+                  walls_.visit(surface, [&](const auto& wall) { return root_departed(wall, to); })};
   if (stays && !back) return false;
   // A ray beside a curve that it only seems to leave would meet it again.
-  return !grazes || ray.left.root != Root::second ||
+  return !grazes || ray.departed.root != Root::second ||
          leads_away(walls_, surface, Sign::positive, ray.ray.origin, direction);
 }
 
@@ -144,10 +144,10 @@ bool LitWalls::leaves(LightRay& ray, const LightHit& met, const Departure& depar
       return false;
     case Departure::Way::through:
       ray.ray.origin = beyond(met);
-      ray.left = {surface, met.hit.root};
+      ray.departed = {surface, met.hit.root};
       return true;
     case Departure::Way::mirrored:
-      ray.left = {surface, root_left_by(met.hit.root)};
+      ray.departed = {surface, root_departed_by(met.hit.root)};
       return mirrors(ray.ray, met);
     case Departure::Way::scattered:
       ray.ray.direction = departure.direction;
@@ -175,7 +175,7 @@ bool LitWalls::mirrors(Ray& ray, const LightHit& met) const {
 void LitWalls::change_media(LightRay& ray, const LightHit& met) const {
   const std::uint32_t body = bodies_.of(met.hit.surface);
   if (body == Media::kNone) return;
-  const bool is_inside = goes_inside(walls_, ray.left, ray.ray.direction);
+  const bool is_inside = goes_inside(walls_, ray.departed, ray.ray.direction);
   if (met.from_inside && !is_inside) ray.media.leave(body);
   if (!met.from_inside && is_inside) ray.media.enter(body);
 }

@@ -216,13 +216,13 @@ bool OffsetOrigins::ends_far(const Arc& arc, const Vec2& point) const {
   return arc.extent == Arc::Extent::whole || (far(arc.from) && far(arc.to));
 }
 
-std::optional<OffsetOrigins::Meeting> OffsetOrigins::meet(const Ray& ray,
-                                                          const NearestHit& hit) const {
+std::optional<OffsetOrigins::WallPoint> OffsetOrigins::meet(const Ray& ray,
+                                                            const NearestHit& hit) const {
   const Wall& wall = table_[hit.surface];
   const bool crosses = hit.kind != HitClass::along && hit.root != Root::both && !hit.at_end;
   if (!wall.ready || !crosses || !(ray.origin.cwiseAbs().maxCoeff() + hit.t < farthest_))
     return std::nullopt;
-  Meeting met{ray.origin + hit.t * ray.direction, wall.normal};
+  WallPoint met{ray.origin + hit.t * ray.direction, wall.normal};
   if (!walls_.visit_line_or_arc(hit.surface,
                                 [&](const auto& each) { return is_clear(each, wall, met); }))
     return std::nullopt;
@@ -230,7 +230,7 @@ std::optional<OffsetOrigins::Meeting> OffsetOrigins::meet(const Ray& ray,
   return met;
 }
 
-bool OffsetOrigins::is_clear(const Segment&, const Wall& wall, const Meeting& met) const {
+bool OffsetOrigins::is_clear(const Segment&, const Wall& wall, const WallPoint& met) const {
   const double place = along(wall.normal).dot(met.point - wall.at);
   for (std::uint32_t i = wall.begin; i < wall.end; ++i)
     if (stretches_[i].from <= place && place <= stretches_[i].to) return false;
@@ -238,7 +238,7 @@ bool OffsetOrigins::is_clear(const Segment&, const Wall& wall, const Meeting& me
 }
 
 // It sets the normal.
-bool OffsetOrigins::is_clear(const Arc& arc, const Wall& wall, Meeting& met) const {
+bool OffsetOrigins::is_clear(const Arc& arc, const Wall& wall, WallPoint& met) const {
   const Vec2 normal = normal_near(arc, met.point);
   met.normal = normal / std::sqrt(normal.x() * normal.x() + normal.y() * normal.y());
   return ends_far(arc, met.point) &&

@@ -28,13 +28,13 @@ class OffsetOrigins {
   explicit OffsetOrigins(const Surfaces& walls);
 
   /// Where a ray meets a wall.
-  struct Meeting {
+  struct WallPoint {
     Vec2 point, normal;  ///< of length 1: to the left of a segment, outward of a curve
   };
   /// Needs   a direction of length 1, but for 2^-10 of it, and the ray's exact hit.
   /// Gives   nullopt where another wall or the end of an arc is too near, the ray grazes, or starts too
   ///         far away.
-  std::optional<Meeting> meet(const Ray& ray, const NearestHit& hit) const;
+  std::optional<WallPoint> meet(const Ray& ray, const NearestHit& hit) const;
   /// How far an origin is from its wall, along the normal.
   double distance() const { return distance_; }
 
@@ -67,8 +67,8 @@ class OffsetOrigins {
                 std::vector<Stretch>& found) const;
   void add_near(const Wall& wall, const Arc& other, const Wall& second,
                 std::vector<Stretch>& found) const;
-  bool is_clear(const Segment&, const Wall& wall, const Meeting& met) const;
-  bool is_clear(const Arc& arc, const Wall& wall, Meeting& met) const;
+  bool is_clear(const Segment&, const Wall& wall, const WallPoint& met) const;
+  bool is_clear(const Arc& arc, const Wall& wall, WallPoint& met) const;
   bool is_far(const Segment&, const Wall& wall, const Vec2& point) const;
   bool is_far(const Arc& arc, const Wall& wall, const Vec2& point) const;
   bool are_far(std::uint32_t a, std::uint32_t b, const Bounds& box) const;

@@ -65,15 +65,16 @@ std::optional<SeenLamps::Sighted> SeenLamps::sight(std::size_t lamp, const Vec2&
 }
 
 // A lamp on a wall shines to both sides of it, and from corners not at all.
-std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray, const Left& left,
-                                       const NearestHit& first, std::uint32_t most) const {
+std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray,
+                                       const DepartedSurface& departed, const NearestHit& first,
+                                       std::uint32_t most) const {
   constexpr std::array<float, 3> kNone{0, 0, 0};
   const Surfaces& walls = walls_.walls();
   const std::vector<std::uint32_t> on = walls_.walls_at(from);
   if (on.size() > 1 || (on.size() == 1 && is_end(walls, on.front(), from))) return kNone;
   const auto arrives = [&](const NearestHit& hit) {
     if (on.empty() || hit.surface != on.front()) return hit.t >= 1;
-    const Root met = root_left_by(root_stood_on(walls, on.front(), {from, -ray.direction}));
+    const Root met = root_departed_by(root_stood_on(walls, on.front(), {from, -ray.direction}));
     return met == Root::both ? hit.root == met : enters(hit.root) == enters(met);
   };
   std::array<float, 3> passed{1, 1, 1};
@@ -83,7 +84,7 @@ std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray, const L
     return shares == nullptr || hit.at_end ? 0 : shares->pass;
   };
   if (pass(first) == 0) return kNone;
-  for (const NearestHit& hit : walls_.tracer().all_of_one(ray, left, false)) {
+  for (const NearestHit& hit : walls_.tracer().all_of_one(ray, departed, false)) {
     if (arrives(hit)) break;
     const auto part = static_cast<float>(pass(hit));
     if (part == 0 || most-- == 0) return kNone;
@@ -103,7 +104,7 @@ void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightH
     if (!nearest[i] || nearest[i].t > met[i].hit.t) continue;
     for (const NearestHit& hit : tracer_->all_of_one(rays[i].ray, {}, false)) {
       if (hit.t > met[i].hit.t) break;
-      if (hit.t == 0 && rays[i].left.surface != kNoSurface)
+      if (hit.t == 0 && rays[i].departed.surface != kNoSurface)
         continue;  // seen as the path came there
       const Glow& glow = glows_[hit.surface];
       // From the left of a segment, or the inside of an arc.

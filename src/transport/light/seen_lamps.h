@@ -29,7 +29,7 @@ class SeenLamps {
   std::optional<Sighted> sight(std::size_t lamp, const Vec2& at) const;
   /// What part of the light that left a lamp at `from` comes to the start of a ray that looks there,
   /// at t = 1, given the first wall the ray meets: at most `most` walls may let some of it pass.
-  std::array<float, 3> passes(const Vec2& from, const Ray& ray, const Left& left,
+  std::array<float, 3> passes(const Vec2& from, const Ray& ray, const DepartedSurface& departed,
                               const NearestHit& hit, std::uint32_t most) const;
 
   /// Whether any lamp is a line.

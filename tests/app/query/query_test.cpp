@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/philox.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 
 namespace flatray {
 namespace {

@@ -2,8 +2,8 @@
 // needs: shapes/arc shapes/box shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/import shapes/mushroom shapes/ngon shapes/penrose shapes/polygon shapes/polyline shapes/sector shapes/segment shapes/star shapes/text shapes/tokarsky formats/toml formats/obj formats/list tracers/brute tracers/grid tracers/exact
 #include <gtest/gtest.h>
 
+#include "geom/clip.h"
 #include "geom/curved_path.h"
-#include "geom/cyrus_beck.h"
 #include "geom/interval_set.h"
 #include "render/counting_tracer.h"
 #include "render/row_lengths.h"

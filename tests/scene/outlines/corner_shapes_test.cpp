@@ -1,7 +1,7 @@
 // needs: shapes/ngon shapes/polyline shapes/star
 #include <gtest/gtest.h>
 
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "scene/outlines/corners.h"
 #include "scene/scene_text.h"
 

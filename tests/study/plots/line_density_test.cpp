@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "base/philox.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "image/srgb.h"
 #include "study/plots/palette.h"
 

@@ -69,7 +69,7 @@ TEST(Transport, StartsOnDiscsAcrossTheWallsAreOnTheirCopiesInTheCell) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const OrbitStart start = room.draw_start(1, i);
     EXPECT_TRUE(room.solids().in_chamber(start.ray.origin));
-    const Vec2 from = start.ray.origin - room.walls().arc(start.left.surface).curve.centre;
+    const Vec2 from = start.ray.origin - room.walls().arc(start.departed.surface).curve.centre;
     EXPECT_NEAR(from.norm(), 1, 1e-14);
     cosines += from.x();
   }

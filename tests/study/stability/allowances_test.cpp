@@ -81,7 +81,7 @@ class Pillarless final : public Accelerator {
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     RayBatch free;
     for (std::size_t i = 0; i < rays.size(); ++i)
-      free.add(rays.ray(i), rays.left[i].surface < 300 ? rays.left[i] : Left{});
+      free.add(rays.ray(i), rays.departed[i].surface < 300 ? rays.departed[i] : DepartedSurface{});
     right_->nearest(free, hits);
   }
   std::size_t bytes() const override { return right_->bytes(); }

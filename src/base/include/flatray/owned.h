@@ -2,8 +2,8 @@
 
 namespace flatray::api {
 
-/// The only owner of an object whose type the library keeps to itself; moved from, it owns none.
-/// (std::unique_ptr would cost every program that includes it twenty thousand lines.)
+/// The only owner of an object whose type is known to the library alone. Once it is moved from, it
+/// owns nothing. (std::unique_ptr would cost every program that includes it twenty thousand lines.)
 ///
 /// Needs   T to be complete where an owner is destroyed.
 template <class T>

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What programs of others call: `<flatray/trace.h>`, `<flatray/collide.h>`,
+/// What other programs call: `<flatray/trace.h>`, `<flatray/collide.h>`,
 /// `<flatray/transport.h>` and `<flatray/picture.h>`.
 namespace flatray::api {
 
@@ -12,23 +12,23 @@ enum class Fault : std::uint8_t {
   sizes,       ///< arrays that go together differ in length
   not_finite,  ///< a coordinate is NaN or infinite, or a limit of t is NaN
   radius,      ///< a radius is negative
-  degenerate,  ///< an ellipse, arc or Bezier curve that is none, as Walls says
+  degenerate,  ///< the numbers make no ellipse, arc or Bezier curve, as Walls says
   empty,       ///< a polygon without a vertex
   not_convex,  ///< a polygon turns the other way at this vertex, or winds round twice
-  no_such,     ///< the number of a wall or body that is not there
+  no_such,     ///< no wall or body has the number given
   direction,   ///< a direction is zero where a ray must lead somewhere
-  full         ///< more walls or bodies than numbers
+  full         ///< no number is left for another wall or body
 };
 
-/// A fault in words, as "a coordinate is NaN or infinite".
+/// The fault in words: "a coordinate is NaN or infinite".
 const char* words(Fault fault);
 
 /// Whether a call did what was asked.
 ///
-/// Gives   where there is a fault, the first entry that has it (0 of `sizes` and `full`). Such a call
-///         has written nothing and changed nothing.
-/// Error   memory that ends is thrown as std::bad_alloc; what was being changed may then only be
-///         destroyed or assigned to.
+/// Gives   the fault, and the first entry that has it; of `sizes` and `full` the entry is 0. A call
+///         with a fault has written nothing and changed nothing.
+/// Error   std::bad_alloc is thrown where memory runs out. The object that the call was changing
+///         may then only be destroyed or assigned to.
 struct [[nodiscard]] Status {
   Fault fault = Fault::none;
   std::size_t entry = 0;

@@ -23,11 +23,11 @@ class Programs {
   explicit Programs(const Functions& gl) : gl_(gl) {}
 
   /// Where the tile lies, for all that follows.
-  struct Place {
+  struct TilePosition {
     float shift[2];
     int corner[2];  ///< of the film
   };
-  void set(const Place& place) { place_ = place; }
+  void set(const TilePosition& place) { place_ = place; }
 
   /// False where this GL does not compile it. `multisampled`: the sheets are.
   bool use(Task task, bool multisampled, std::string& error);
@@ -43,7 +43,7 @@ class Programs {
   bool make(Task task, bool multisampled, Program& program);
 
   const Functions& gl_;
-  Place place_{};
+  TilePosition place_{};
   std::array<Program, 10> programs_;  // by task, for sheets of pixels and of samples
   GLint sample_ = -1;                 // of the task in use
 };

@@ -5,12 +5,13 @@
 
 #include "flatray/owned.h"
 
-/// A scene as text in, the pixels of one of its frames out; no file is written.
+/// Takes a scene as text and gives the pixels of one of its frames. It writes no file.
 namespace flatray::api {
 
 /// A picture in memory, drawn by the software back end: the same bytes on every machine.
 ///
-/// Owns    its pixels and texts; what it gives is valid until it draws again, moves or ends.
+/// Owns    its pixels and texts. What it gives is valid until it draws again, is moved or is
+///         destroyed.
 /// Threads one at a time for one picture; any number of pictures may draw at once.
 class Picture {
  public:
@@ -19,11 +20,11 @@ class Picture {
   Picture& operator=(Picture&&) noexcept;
   ~Picture();
 
-  /// Draws one frame, on so many threads.
+  /// Draws one frame, on `threads` threads.
   ///
   /// Needs   a `name` whose extension is that of the text's format: "scene.toml". Files that the scene
   ///         refers to are looked for beside that name.
-  /// Gives   whether there is a picture now; where not, messages() says why and the pixels are gone.
+  /// Gives   whether there is a picture now. Where there is none, messages() says why.
   bool draw(std::string_view name, std::string_view text, unsigned frame = 1, unsigned threads = 1);
   /// Every mistake of the scene as `file:line:column: error: ...` with its remedy; warnings where a
   /// picture was drawn.

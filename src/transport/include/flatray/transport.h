@@ -6,18 +6,20 @@
 
 #include "flatray/trace.h"
 
-/// Orbits: rays followed from mirror to mirror. Every decision is exact for the doubles the ray then
-/// has, and the same on every machine.
+/// Orbits: rays followed from mirror to mirror. Every decision is exact for the doubles that the
+/// ray has at that bounce, and is the same on every machine.
 namespace flatray::api {
 
 /// One reflection.
 struct Bounce {
   std::uint32_t wall;
-  double x, y;  ///< on the inner side of the wall, within 1 ulp of the exact point and 2 more
-  double t;     ///< since the last bounce, in lengths of the direction then
+  /// On the side of the wall from which the ray came: the double nearest to the exact point, or one
+  /// at most 2 ulp from that in each coordinate.
+  double x, y;
+  double t;  ///< from the bounce before to this one, in lengths of the direction between them
   double path_length;               ///< from the start, world units
   double normal_x, normal_y;        ///< unit, towards the side the ray came from
-  double direction_x, direction_y;  ///< after it, as long as that of the start
+  double direction_x, direction_y;  ///< after the bounce, as long as that of the start
 
   bool operator==(const Bounce&) const = default;
 };
@@ -31,11 +33,11 @@ enum class OrbitEnd : std::uint8_t {
   along      ///< runs along a wall, or so nearly that no double leads away from it
 };
 
-/// One orbit: its bounces are [begin, end) of those of all.
+/// One orbit: its bounces are [begin, end) of the bounces of all orbits.
 struct Orbit {
   std::size_t begin = 0, end = 0;
   OrbitEnd reason = OrbitEnd::escape;
-  double x = 0, y = 0;          ///< where it was absorbed, met the corner or last bounced
+  double x = 0, y = 0;          ///< where it was absorbed or met the corner, else last bounced
   double out_x = 0, out_y = 0;  ///< unit direction after the last bounce
 
   bool operator==(const Orbit&) const = default;
@@ -44,14 +46,14 @@ struct Orbit {
 /// What becomes of a ray that arrives exactly at an end of a wall, or where two meet.
 enum class CornerRule : std::uint8_t {
   stop,  ///< the orbit ends there
-  back   ///< it returns the way it came, listed as a bounce off the lowest wall of the corner
+  back   ///< it returns the way it came: a bounce off the wall of the lowest number there
 };
 
-/// Walls made ready for orbits: mirrors, on both sides, but for those said to absorb.
+/// Walls made ready for orbits. All are mirrors on both sides, but for those that absorb() names.
 ///
-/// Owns    its walls. Moved from, it has none: every ray escapes.
-/// Threads any number may ask one room at once, unless absorb() is at work. A call starts none of its
-///         own.
+/// Owns    its walls. Once it is moved from, it has none: every ray escapes.
+/// Threads any number may ask one room at once, but not while absorb() runs. A call starts no
+///         thread.
 class Room {
  public:
   /// Takes the walls: move them in, or pass a copy. Cost    linear in them.
@@ -64,14 +66,15 @@ class Room {
   /// From now on these walls end the orbits that arrive there. Error   `no_such`.
   Status absorb(std::span<const std::uint32_t> walls);
 
-  /// Follows each ray for at most so many bounces; with 0 only the start is looked at.
+  /// Follows each ray for at most `bounces` bounces; with 0 only the start is looked at.
   ///
-  /// Needs   directions that are not zero. What rays have left plays no part: a start on a wall counts
-  ///         as having just left it. A curve touched in one point is passed by.
-  /// Gives   one orbit a ray, in order, and their bounces, those of one orbit in a row. What each ray
-  ///         does depends on no other.
+  /// Needs   directions that are not zero. Rays::left and Rays::tangents play no part: a ray that
+  ///         starts on a wall counts as having just left it, and a ray passes by a curve that it
+  ///         touches in one point.
+  /// Gives   one orbit a ray, in order, and the bounces, those of one orbit in a row. What a ray
+  ///         does depends on no other ray.
   /// Error   `sizes`, `not_finite`, `direction`: the entry is the ray.
-  /// Cost    0.3 to 1.2 us and 80 bytes a bounce, and while it is at work twice those bytes.
+  /// Cost    0.3 to 1.2 us and 80 bytes a bounce; twice those bytes while it runs.
   Status orbits(const Rays& starts, std::uint64_t bounces, std::vector<Orbit>& orbits,
                 std::vector<Bounce>& all_bounces) const;
 

@@ -7,7 +7,9 @@
 
 namespace flatray {
 
-/// Part of `ray` inside a closed convex polygon, by Cyrus-Beck clipping.
+/// Part of `ray` inside a closed convex polygon: the answer of Cyrus-Beck clipping. The edges are
+/// found by the sides of the vertices (geom/sides.h), not by comparing t as the paper does; the
+/// paper's loop, edge by edge, is clip_steps() below and, in plain numbers, trace/plain_polygons.h.
 ///
 /// Units   t counts lengths of `ray.direction`: t = 1 is its tip.
 /// Needs   `vertices` convex, finite, in either orientation; repeated and collinear vertices are
@@ -15,10 +17,12 @@ namespace flatray {
 /// Gives   the closed interval clipped to `within`, the edges it enters and leaves by, its class,
 ///         and where the origin lies. A corner touched gives t_enter == t_exit; along an edge is
 ///         inside. Edges that tie at a vertex: the lower number of the list as given.
-/// Error   verdict, edges and class exact for the doubles given; t_enter and t_exit within 1 ulp.
-/// Cost    two differences of products an edge; exact integers only where the error bound cannot
-///         decide; one division for each end of the interval.
-/// Source  the paper's table 1 and eq. 3, as corrected in docs/DEVIATIONS.md.
+/// Error   verdict, edges and class exact for the doubles given; t_enter and t_exit are the nearest
+///         doubles.
+/// Cost    one predicate a vertex, by exact rationals only where error bounds cannot decide; one
+///         division for each end of the interval.
+/// Source  the paper's table 1 and eq. 3, as corrected in docs/DEVIATIONS.md; docs/NUMERICS.md
+///         proves it.
 HitInterval clip_convex(const Ray& ray, std::span<const Vec2> vertices, Range within = kRay);
 
 /// Part of `ray` inside a closed disc. Radius 0 is a point. Error as above; edges are kNoEdge.

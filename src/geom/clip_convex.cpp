@@ -1,7 +1,6 @@
-#include "geom/cyrus_beck.h"
-
 #include <array>
 
+#include "geom/clip.h"
 #include "geom/clip_range.h"
 #include "geom/polygon_edges.h"
 #include "geom/sides.h"

@@ -1,8 +1,8 @@
-#include "geom/cyrus_beck.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "geom/clip.h"
 
 namespace flatray {
 namespace {
