@@ -138,15 +138,15 @@ std::string section(const ChoiceReport& report) {
 }
 
 // Beside a point: what it is set to, or, where that takes too many words, what of it grows.
-std::string label_of(const AccuracyPoint& point) {
-  constexpr std::size_t kLongest = 24;
-  std::string words =
-      point.setting.size() > kLongest && point.n > 0 ? tick_words(point.n) : point.setting;
+std::string label_of(const ChoiceReport& report, const AccuracyPoint& point) {
+  constexpr std::size_t kLongest = 24, kMostSettings = 12;
+  const bool brief = point.setting.size() > kLongest || report.points.size() > kMostSettings;
+  std::string words = brief && point.n > 0 ? tick_words(point.n) : point.setting;
   return point.outcome.at_most ? words + ", at most" : words;
 }
 
-Plot::Point plot_point(const ChoiceReport& report, const AccuracyPoint& point, double unit) {
-  return {point.seconds, point.outcome.error / unit, point.outcome.half / unit, "",
+Plot::Point plot_point(const ChoiceReport& report, const AccuracyPoint& point) {
+  return {point.seconds, point.outcome.error, point.outcome.half, label_of(report, point),
           half_range(report, point).value_or(0)};
 }
 
@@ -154,7 +154,7 @@ Plot::Point plot_point(const ChoiceReport& report, const AccuracyPoint& point, d
 Plot::Series best_of(const ChoiceReport& report, double unit, std::string ink) {
   Plot::Series best{"", {}, false, std::move(ink), 1};
   for (const AccuracyPoint& point : report.points)
-    if (point.best) best.points.push_back(plot_point(report, point, unit));
+    if (point.best) best.points.push_back({point.seconds, point.outcome.error / unit});
   std::ranges::sort(best.points, [](const auto& a, const auto& b) { return a.x < b.x; });
   return best;
 }
@@ -199,12 +199,13 @@ std::string accuracy_plot(const ChoiceReport& report) {
     plot.series.push_back({series.empty() ? "settings" : series, {}, true});
     for (const AccuracyPoint& point : report.points) {
       if (point.series != series) continue;
-      Plot::Point& shown = plot.series.back().points.emplace_back(plot_point(report, point, 1));
-      shown.label = label_of(point);
+      Plot::Point& shown = plot.series.back().points.emplace_back(plot_point(report, point));
       by_number = by_number || !shown.label.starts_with(point.setting);
       const std::string words = advice(report, point);
       shown.ringed = !words.empty();
-      if (shown.ringed) plot.caption += fmt::format("Ringed: {}, {}. ", point.setting, words);
+      if (shown.ringed)
+        plot.caption += fmt::format("{}: {}, {}. ", shown.y > 0 ? "Ringed" : "Without any error",
+                                    point.setting, words);
     }
   }
   plot.series.push_back(best_of(report, 1, "axis"));
