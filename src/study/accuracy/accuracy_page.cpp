@@ -159,7 +159,14 @@ Plot::Series best_of(const ChoiceReport& report, double unit, std::string ink) {
   return best;
 }
 
-// All choices at once: units differ, so each error is told by the largest of its choice.
+// Points with an error, which alone have a place on a logarithm.
+std::ptrdiff_t count_shown(const ChoiceReport& report) {
+  return std::ranges::count_if(report.points,
+                               [](const AccuracyPoint& point) { return point.outcome.error > 0; });
+}
+
+// All choices at once: units differ, so each error is told by the largest of its choice. Nothing
+// where that is the only one of each.
 std::string overview(std::span<const ChoiceReport> reports) {
   Plot plot{"All choices: error against run time",
             "seconds of processor time",
@@ -167,8 +174,10 @@ std::string overview(std::span<const ChoiceReport> reports) {
             {}};
   plot.log_x = plot.log_y = true;
   std::size_t number = 0;
+  bool is_empty = true;
   for (const ChoiceReport& report : reports) {
     if (!has_plot(report)) continue;
+    is_empty = is_empty && count_shown(report) == 1;
     double largest = 0;
     for (const AccuracyPoint& point : report.points)
       largest = std::max(largest, point.outcome.error);
@@ -178,15 +187,12 @@ std::string overview(std::span<const ChoiceReport> reports) {
       all.points.push_back({point.seconds, point.outcome.error / largest});
   }
   plot.caption = "Lines join the best settings of a choice.";
-  return number == 0 ? "" : figure("error against seconds of all choices", svg(plot));
+  return is_empty ? "" : figure("error against seconds of all choices", svg(plot));
 }
 
 }  // namespace
 
-bool has_plot(const ChoiceReport& report) {
-  return std::ranges::any_of(report.points,
-                             [](const AccuracyPoint& point) { return point.outcome.error > 0; });
-}
+bool has_plot(const ChoiceReport& report) { return count_shown(report) > 0; }
 
 std::string accuracy_plot(const ChoiceReport& report) {
   Plot plot{fmt::format("{}: {}", report.name, name(report.kind)),

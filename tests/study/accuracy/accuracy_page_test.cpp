@@ -22,5 +22,16 @@ TEST(AccuracyPage, APlotRingsWhatItShowsAndSaysWhatItCannot) {
   EXPECT_NE(accuracy_plot(report).find("Ringed: right, best under 1 s"), std::string::npos);
 }
 
+// Where each choice has one setting all of them would be 1.
+TEST(AccuracyPage, HasAnOverviewWhereThereIsSomethingToCompare) {
+  ChoiceReport report;
+  report.name = "made";
+  report.points.push_back({"one", 0.25, 0, 0, {0.5}});
+  const auto page = [&] { return accuracy_page("scene", {&report, 1}, std::nullopt); };
+  EXPECT_EQ(page().find("All choices: error"), std::string::npos);
+  report.points.push_back({"two", 0.5, 0, 0, {0.25}});
+  EXPECT_NE(page().find("All choices: error"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace flatray
