@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: shapes/circle shapes/polygon shapes/convex shapes/segment
+# needs: shapes/box shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/import shapes/mushroom shapes/polygon shapes/segment formats/obj
 # accuracy.sh FLATRAY ROOT [FOLDER]: the pages of `flatray accuracy` for three scenes and the figures of experiments, orbits
 # and hits, in a real browser. FOLDER takes pictures of them.
 set -euo pipefail
