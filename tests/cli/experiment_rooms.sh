@@ -53,6 +53,9 @@ run 0 experiment mean-free-path "$sinai" --count 2000 -o seeds --sweep seed=1,2
 run 0 experiment mean-free-path "$sinai" --count 2000 -o seed2 --seed 2
 grep -qF "$(grep ^mean_free_path seed2/mean_free_path.csv)" seeds/sweep.csv || fail "a sweep has another run"
 exists seeds/sweep_mean_free_path.svg
+grep -q 'without an interval' seeds/sweep_mean_free_path.svg && fail "means have intervals"
+run 0 experiment lyapunov "$sinai" --count 20000 -o spectrum --sweep seed=1,2
+grep -q '>found, without an interval<' spectrum/sweep_spectrum_4.svg || fail "what has no interval looks as if it had"
 [ -e seeds/sweep_orbits_escaped.svg ] && fail "a plot of nothing"
 run 2 experiment mean-free-path "$sinai" --sweep seed=1,2 --seed 3
 says err "say one of them"

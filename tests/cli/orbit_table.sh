@@ -48,6 +48,9 @@ says err "leave --corner back out"
 run 0 orbit "$sinai" --svg
 says out "<svg xmlns"
 (($(grep -c '<path .*<title>' out.txt) == 2)) || fail "two rays were to be drawn"
+grep -q '>26</text>' out.txt || fail "26 bounces each were to have their numbers"
+run 0 orbit "$sinai" --svg -n 40
+grep -q '>26</text>' out.txt && fail "80 numbers were drawn one over the other"
 # A fan by its name, or one ray of it; periodic walls are crossed.
 gallery=$root/scenes/chamber/kaleidoscope.toml
 run 0 orbit "$gallery" --ray 'side by side'

@@ -1,7 +1,5 @@
 #include "app/answers/hit_svg.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "geom/clip.h"
 #include "scene/outlines/outline.h"
 #include "study/plots/plot.h"
+#include "study/plots/plot_axes.h"
 
 namespace flatray {
 namespace {
@@ -91,7 +90,7 @@ std::string svg_of(const Scene& scene, const FrameState& state,
     add(inside, {std::max(report.hit.t_enter, shown.low), std::min(report.hit.t_exit, shown.high)});
     for (const double t : {report.hit.t_enter, report.hit.t_exit})
       if (std::isfinite(t))
-        ends.points.push_back({at(ray, t).x(), at(ray, t).y(), 0, fmt::format("t = {:.6g}", t)});
+        ends.points.push_back({at(ray, t).x(), at(ray, t).y(), 0, "t = " + tick_words(t)});
   }
   for (Plot::Series* series : {&walls, &rays, &origins, &inside, &ends})
     plot.series.push_back(std::move(*series));

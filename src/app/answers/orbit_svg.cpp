@@ -7,7 +7,7 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kMostNumbers = 60;
+constexpr std::size_t kMostNumbers = 60;  // of all bounces that are shown
 
 // All walls as one line with gaps.
 Plot::Series walls_of(const OrbitRoom& room) {
@@ -22,7 +22,7 @@ Plot::Series walls_of(const OrbitRoom& room) {
   return lines;
 }
 
-void add(Plot& plot, const OrbitReport& report, std::size_t number) {
+void add(Plot& plot, const OrbitReport& report, std::size_t number, bool with_numbers) {
   const Orbit& orbit = report.orbit;
   Plot::Series path{report.ray, {{orbit.start.x(), orbit.start.y()}}};
   std::vector<OrbitLine> lines = orbit_lines(orbit);
@@ -42,7 +42,7 @@ void add(Plot& plot, const OrbitReport& report, std::size_t number) {
   for (std::size_t i = 0; i < std::min(count, kMostNumbers); ++i) {
     const Vec2& at = orbit.bounces[i].point;
     (i < report.certain ? certain : doubtful)
-        .points.push_back({at.x(), at.y(), 0, count <= kMostNumbers ? std::to_string(i + 1) : ""});
+        .points.push_back({at.x(), at.y(), 0, with_numbers ? std::to_string(i + 1) : ""});
   }
   for (Plot::Series* series : {&path, &start, &certain, &doubtful})
     plot.series.push_back(std::move(*series));
@@ -54,7 +54,10 @@ std::string svg_of(const OrbitRoom& room, const std::vector<OrbitReport>& report
   Plot plot{"Orbits in " + room.scene.name, "x, world units", "y, world units", {walls_of(room)}};
   plot.window = room.window;
   plot.equal = true;
-  for (std::size_t i = 0; i < reports.size(); ++i) add(plot, reports[i], i);
+  std::size_t bounces = 0;
+  for (const OrbitReport& report : reports) bounces += report.orbit.bounces.size();
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    add(plot, reports[i], i, bounces <= kMostNumbers);
   return svg(plot);
 }
 

@@ -112,20 +112,23 @@ ExperimentResult SweepResults::result() && {
   all.files.push_back(json_file(
       "sweep", {{"experiment", experiment_}, {"sweep", sweep_.key}, {"measures", table_}}));
   for (const std::string& name : names()) {
-    Plot plot{experiment_ + ": " + name,
-              sweep_.key,
-              name,
-              {{"found", {}, true}, {"expected", {}, false}}};
+    Plot plot{
+        experiment_ + ": " + name,
+        sweep_.key,
+        name,
+        {{"found", {}, true}, {"expected", {}, false}, {"found, without an interval", {}, true}}};
     plot.caption = "lengths in world units, times at speed 1";
     for (const auto& [value, measures] : found_) {
       const auto x = parse_number(value);
       for (const Measure& one : measures) {
         if (!x || one.name != name) continue;
-        plot.series[0].points.push_back({*x, one.value, half_interval(one).value_or(0)});
+        const auto half = half_interval(one);
+        plot.series[half ? 0 : 2].points.push_back({*x, one.value, half.value_or(0)});
         if (one.expected) plot.series[1].points.push_back({*x, *one.expected, 0});
       }
     }
-    if (differ(plot.series[0].points)) all.files.push_back({"sweep_" + name + ".svg", svg(plot)});
+    if (differ(plot.series[0].points) || differ(plot.series[2].points))
+      all.files.push_back({"sweep_" + name + ".svg", svg(plot)});
   }
   all.summary =
       fmt::format("{} over {}\n\n{}", experiment_, sweep_.key, aligned_text(table_, kBrief));

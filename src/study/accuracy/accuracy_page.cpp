@@ -138,15 +138,15 @@ std::string section(const ChoiceReport& report) {
 }
 
 // Beside a point: what it is set to, or, where that takes too many words, what of it grows.
-std::string label_of(const AccuracyPoint& point) {
-  constexpr std::size_t kLongest = 24;
-  std::string words =
-      point.setting.size() > kLongest && point.n > 0 ? tick_words(point.n) : point.setting;
+std::string label_of(const ChoiceReport& report, const AccuracyPoint& point) {
+  constexpr std::size_t kLongest = 24, kMostSettings = 12;
+  const bool brief = point.setting.size() > kLongest || report.points.size() > kMostSettings;
+  std::string words = brief && point.n > 0 ? tick_words(point.n) : point.setting;
   return point.outcome.at_most ? words + ", at most" : words;
 }
 
-Plot::Point plot_point(const ChoiceReport& report, const AccuracyPoint& point, double unit) {
-  return {point.seconds, point.outcome.error / unit, point.outcome.half / unit, "",
+Plot::Point plot_point(const ChoiceReport& report, const AccuracyPoint& point) {
+  return {point.seconds, point.outcome.error, point.outcome.half, label_of(report, point),
           half_range(report, point).value_or(0)};
 }
 
@@ -154,12 +154,19 @@ Plot::Point plot_point(const ChoiceReport& report, const AccuracyPoint& point, d
 Plot::Series best_of(const ChoiceReport& report, double unit, std::string ink) {
   Plot::Series best{"", {}, false, std::move(ink), 1};
   for (const AccuracyPoint& point : report.points)
-    if (point.best) best.points.push_back(plot_point(report, point, unit));
+    if (point.best) best.points.push_back({point.seconds, point.outcome.error / unit});
   std::ranges::sort(best.points, [](const auto& a, const auto& b) { return a.x < b.x; });
   return best;
 }
 
-// All choices at once: units differ, so each error is told by the largest of its choice.
+// Points with an error, which alone have a place on a logarithm.
+std::ptrdiff_t count_shown(const ChoiceReport& report) {
+  return std::ranges::count_if(report.points,
+                               [](const AccuracyPoint& point) { return point.outcome.error > 0; });
+}
+
+// All choices at once: units differ, so each error is told by the largest of its choice. Nothing
+// where that is the only one of each.
 std::string overview(std::span<const ChoiceReport> reports) {
   Plot plot{"All choices: error against run time",
             "seconds of processor time",
@@ -167,8 +174,10 @@ std::string overview(std::span<const ChoiceReport> reports) {
             {}};
   plot.log_x = plot.log_y = true;
   std::size_t number = 0;
+  bool is_empty = true;
   for (const ChoiceReport& report : reports) {
     if (!has_plot(report)) continue;
+    is_empty = is_empty && count_shown(report) == 1;
     double largest = 0;
     for (const AccuracyPoint& point : report.points)
       largest = std::max(largest, point.outcome.error);
@@ -178,15 +187,12 @@ std::string overview(std::span<const ChoiceReport> reports) {
       all.points.push_back({point.seconds, point.outcome.error / largest});
   }
   plot.caption = "Lines join the best settings of a choice.";
-  return number == 0 ? "" : figure("error against seconds of all choices", svg(plot));
+  return is_empty ? "" : figure("error against seconds of all choices", svg(plot));
 }
 
 }  // namespace
 
-bool has_plot(const ChoiceReport& report) {
-  return std::ranges::any_of(report.points,
-                             [](const AccuracyPoint& point) { return point.outcome.error > 0; });
-}
+bool has_plot(const ChoiceReport& report) { return count_shown(report) > 0; }
 
 std::string accuracy_plot(const ChoiceReport& report) {
   Plot plot{fmt::format("{}: {}", report.name, name(report.kind)),
@@ -199,12 +205,13 @@ std::string accuracy_plot(const ChoiceReport& report) {
     plot.series.push_back({series.empty() ? "settings" : series, {}, true});
     for (const AccuracyPoint& point : report.points) {
       if (point.series != series) continue;
-      Plot::Point& shown = plot.series.back().points.emplace_back(plot_point(report, point, 1));
-      shown.label = label_of(point);
+      Plot::Point& shown = plot.series.back().points.emplace_back(plot_point(report, point));
       by_number = by_number || !shown.label.starts_with(point.setting);
       const std::string words = advice(report, point);
       shown.ringed = !words.empty();
-      if (shown.ringed) plot.caption += fmt::format("Ringed: {}, {}. ", point.setting, words);
+      if (shown.ringed)
+        plot.caption += fmt::format("{}: {}, {}. ", shown.y > 0 ? "Ringed" : "Without any error",
+                                    point.setting, words);
     }
   }
   plot.series.push_back(best_of(report, 1, "axis"));

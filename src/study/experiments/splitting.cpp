@@ -153,14 +153,15 @@ class Report {
     Plot plot{"Orbits that are left, by splitting",
               "bounces",
               "share of all orbits",
-              {{"left", {}, true}}};
+              {{"left", {}, true}, {"left, without an interval", {}, true}}};
     plot.log_y = true;
     for (std::size_t level = 0; level < plan_.levels; ++level) {
       const Measure left = share(level);
       const double n = static_cast<double>((level + 1) * plan_.bounces);
       table.add(
           {n, left.value, left.standard_error ? JsonValue(*left.standard_error) : JsonValue()});
-      plot.series[0].points.push_back({n, left.value, half_interval(left).value_or(0)});
+      const auto half = half_interval(left);
+      plot.series[half ? 0 : 1].points.push_back({n, left.value, half.value_or(0)});
     }
     ExperimentResult all = measured(context_, "splitting", headline(), measures());
     all.files.push_back(csv_file("splitting_levels", table));

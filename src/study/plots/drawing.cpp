@@ -140,7 +140,8 @@ std::string svg(const Drawing& drawing) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
-      "{1}\" style=\"max-width:100%;height:auto\" font-family=\"sans-serif\" font-size=\"{2:g}\" "
+      "{1}\" style=\"max-width:100%;height:auto;color-scheme:light dark\" "
+      "font-family=\"sans-serif\" font-size=\"{2:g}\" "
       "fill=\"none\">\n<title>{3}</title>\n{4}"
       "<rect width=\"100%\" height=\"100%\" class=\"f-paper\"/>\n",
       width, height, kFontSize, svg_text(drawing.title), style());

@@ -14,8 +14,10 @@ namespace {
 // Units of the drawing.
 constexpr double kWidth = 500, kNarrowest = 300, kUsualHeight = 280, kHighestMap = 420, kLine = 17,
                  kLabelRoom = 30, kRight = 20, kBarWidth = 14, kBarGap = 14, kMark = 2;
-constexpr std::size_t kMostRows = 10;  // of the legend
-constexpr double kMostTicks[] = {7, 8};
+constexpr double kApart = 8;      // of places along an interval that labels keep off
+constexpr double kBeyond = 50;    // of upright labels, over the height of the axes
+constexpr double kMostRows = 10;  // of the legend
+constexpr int kMostTicks[] = {7, 8};
 
 // Sides of a mark round its middle, in radii: what tells the points of series apart, beside colour.
 // The first is a disc.
@@ -36,11 +38,6 @@ class PlotDrawing {
  public:
   explicit PlotDrawing(const Plot& plot) : plot_(plot) {
     see();
-    for (int axis = 0; axis < 2; ++axis)
-      ticks_[axis] = (axis == 0 ? plot.log_x : plot.log_y)
-                         ? log_ticks(box_.low[axis], box_.high[axis], kMostTicks[axis])
-                         : ticks(box_.low[axis], box_.high[axis], kMostTicks[axis],
-                                 axis == 1 ? plot.y_step : 0);
     lay_out();
   }
 
@@ -52,8 +49,10 @@ class PlotDrawing {
     for (const Plot::Series& series : plot_.series) {
       const std::size_t look = series.ink.empty() ? number++ : 0;
       const std::string ink = series.ink.empty() ? series_ink(look) : series.ink;
+      for (const Plot::Point& point : series.points)
+        if (shown(point)) interval(point, ink, labels);
       is_marked(series) ? marks(series, ink, look, labels) : line(series, ink, look);
-      if (!series.points.empty() && !series.name.empty()) name(series, ink, look);
+      if (count_shown(series) > 0 && !series.name.empty()) name(series, ink, look);
     }
     labels.draw(out_);
     if (plot_.bar) bar(*plot_.bar);
@@ -69,10 +68,13 @@ class PlotDrawing {
 
  private:
   // A line of one point would not be seen.
-  static bool is_marked(const Plot::Series& series) {
-    return series.marks || series.points.size() == 1;
+  bool is_marked(const Plot::Series& series) const {
+    return series.marks || count_shown(series) == 1;
   }
-  bool is_legend_full() const { return name_at_.y() > high_.y() + (3.4 + kMostRows) * kLine; }
+  std::ptrdiff_t count_shown(const Plot::Series& series) const {
+    return std::ranges::count_if(series.points, [&](const auto& point) { return shown(point); });
+  }
+  bool is_legend_full() const { return name_at_.y() > legend_end_; }
   bool shown(const Plot::Point& point) const {
     return std::isfinite(point.x) && std::isfinite(point.y) && (!plot_.log_y || point.y > 0) &&
            (!plot_.log_x || point.x > 0);
@@ -88,6 +90,7 @@ class PlotDrawing {
 
   // What the axes show: of intervals on a logarithm the part above 0.
   void see() {
+    whole_[0] = whole_[1] = !plot_.map && !plot_.window && !plot_.equal;
     if (plot_.map || plot_.window) {
       box_ = plot_.window.value_or(plot_.map ? plot_.map->bounds : Bounds{});
       return;
@@ -96,7 +99,10 @@ class PlotDrawing {
       for (const Plot::Point& point : series.points)
         for (const auto& [x, y] : {std::pair(0, 0), {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
           const Plot::Point end{point.x + x * point.half_x, point.y + y * point.half};
-          if (shown(point) && shown(end)) box_.add(scaled(end.x, end.y));
+          if (!shown(point) || !shown(end)) continue;
+          box_.add(scaled(end.x, end.y));
+          whole_[0] = whole_[0] && point.x == std::floor(point.x);
+          whole_[1] = whole_[1] && point.y == std::floor(point.y);
         }
     if (box_.empty()) box_.add(Vec2(0, 0));
     for (int axis = 0; axis < 2; ++axis) {
@@ -107,19 +113,31 @@ class PlotDrawing {
     }
   }
 
-  void lay_out() {
+  // At most so many; where all there is are whole numbers, as counts are, at these alone.
+  std::vector<Tick> ticks_of(int axis, double most) const {
+    if (axis == 0 ? plot_.log_x : plot_.log_y)
+      return log_ticks(box_.low[axis], box_.high[axis], most);
+    const double asked = axis == 1 ? plot_.y_step : 0, span = box_.size()[axis];
+    const double step = span <= most * asked                       ? asked
+                        : whole_[axis] && 1 < span && span <= most ? 1
+                                                                   : 0;
+    return ticks(box_.low[axis], box_.high[axis], most, step);
+  }
+
+  // The upright labels and the ticks beside the axes, and the size that leaves for these.
+  Vec2 lay_beside(double height) {
     double widest = 0, bar = 0;
+    ticks_[1] = ticks_of(1, std::clamp(static_cast<int>(height / kLine), 1, kMostTicks[1]));
     for (const Tick& tick : ticks_[1]) widest = std::max(widest, words_width(tick.words));
-    if (plot_.bar)
+    y_label_ = lines_of(plot_.y_label, height + kBeyond);
+    left_ = 10 * std::ceil((room_of(y_label_) + widest + 8) / 10);
+    right_ = kRight;
+    if (plot_.bar) {
       for (const auto& [at, words] : plot_.bar->ticks) bar = std::max(bar, words_width(words));
-    y_label_ = lines_of(plot_.y_label, kUsualHeight);
-    const double left =
-        10 *
-        std::ceil((kLabelRoom - kLine + kLine * static_cast<double>(y_label_.size()) + widest + 8) /
-                  10);
-    const double right =
-        plot_.bar ? 10 * std::ceil((kBarGap + kBarWidth + 6 + bar + kLabelRoom) / 10) : kRight;
-    Vec2 area(kWidth - left - right, kUsualHeight);
+      bar_label_ = lines_of(plot_.bar->label, height + kBeyond);
+      right_ = 10 * std::ceil((kBarGap + kBarWidth + 6 + bar + room_of(bar_label_)) / 10);
+    }
+    Vec2 area(kWidth - left_ - right_, kUsualHeight);
     if (plot_.map || plot_.equal) {
       const double upright = plot_.equal ? box_.size().y() / box_.size().x()
                                          : 1.0 * plot_.map->image.height / plot_.map->image.width;
@@ -127,7 +145,32 @@ class PlotDrawing {
       if (area.y() > kHighestMap)
         area = {std::max(40.0, std::round(kHighestMap / upright)), kHighestMap};
     }
-    out_.size.x() = std::max(kNarrowest, left + area.x() + right);
+    return area;
+  }
+  static double room_of(const std::vector<std::string>& label) {
+    return kLabelRoom - kLine + kLine * static_cast<double>(label.size());
+  }
+
+  // As many of x as have room.
+  void lay_below(const Vec2& area) {
+    const double unit = area.x() / box_.size().x();
+    for (int most = kMostTicks[0]; most >= 1; --most) {
+      ticks_[0] = ticks_of(0, most);
+      bool fits = true;
+      for (std::size_t i = 1; i < ticks_[0].size(); ++i) {
+        const Tick &a = ticks_[0][i - 1], &b = ticks_[0][i];
+        fits = fits && (b.at - a.at) * unit > 4 + (words_width(a.words) + words_width(b.words)) / 2;
+      }
+      if (fits) break;
+    }
+  }
+
+  void lay_out() {
+    const Vec2 area = lay_beside(lay_beside(kUsualHeight).y());
+    lay_below(area);
+    out_.size.x() = std::max(kNarrowest, left_ + area.x() + right_);
+    const double middle = left_ + area.x() / 2;
+    x_label_ = lines_of(plot_.x_label, 2 * std::min(middle, out_.size.x() - middle) - 8);
     out_.title = plot_.title;
     double y = 8;
     for (const std::string& words : lines_of(plot_.title, out_.size.x() - 2 * kRight)) {
@@ -135,9 +178,10 @@ class PlotDrawing {
           Drawing::Words{{out_.size.x() / 2, y + kLine / 2}, words, 0.5, "text", false, true});
       y += kLine;
     }
-    low_ = {left, std::round(y + 8)};
+    low_ = {left_, std::round(y + 8)};
     high_ = low_ + area;
-    name_at_ = {kRight, high_.y() + 3.4 * kLine};
+    name_at_ = {kRight, high_.y() + (2.4 + static_cast<double>(x_label_.size())) * kLine};
+    legend_end_ = name_at_.y() + kMostRows * kLine;
   }
 
   void axes() {
@@ -156,15 +200,17 @@ class PlotDrawing {
       }
     out_.marks.push_back(
         Drawing::Path{box_of(low_ - Vec2(0.5, 0.5), high_ + Vec2(0.5, 0.5)), {"axis"}, true});
-    out_.marks.push_back(
-        Drawing::Words{{0.5 * (low_.x() + high_.x()), high_.y() + 14 + kLine}, plot_.x_label, 0.5});
-    for (std::size_t i = 0; i < y_label_.size(); ++i)
-      out_.marks.push_back(
-          Drawing::Words{{14 + kLine * static_cast<double>(i), 0.5 * (low_.y() + high_.y())},
-                         y_label_[i],
-                         0.5,
-                         "text",
-                         true});
+    const Vec2 middle = 0.5 * (low_ + high_);
+    label({middle.x(), high_.y() + 14 + kLine}, x_label_);
+    label({14, middle.y()}, y_label_, true);
+  }
+
+  // Lines from the first on downwards, or, upright, to the right.
+  void label(Vec2 at, const std::vector<std::string>& lines, bool upright = false) {
+    for (const std::string& words : lines) {
+      out_.marks.push_back(Drawing::Words{at, words, 0.5, "text", upright});
+      at += upright ? Vec2(kLine, 0) : Vec2(0, kLine);
+    }
   }
 
   void stroke(std::vector<Vec2> points, const Pen& look, const std::string& title = {}) {
@@ -204,18 +250,26 @@ class PlotDrawing {
     for (const Plot::Point& point : series.points) {
       if (!shown(point)) continue;
       const Vec2 at = place(point.x, point.y);
-      if (!Bounds{low_ - Vec2(1, 1), high_ + Vec2(1, 1)}.contains(at)) continue;
-      for (const Vec2& half : {Vec2(0, point.half), Vec2(point.half_x, 0)})
-        if (half != Vec2(0, 0)) {
-          Vec2 ends[] = {end_of(point, -half), end_of(point, half)};
-          for (Vec2& end : ends) end = end.cwiseMax(low_).cwiseMin(high_);
-          for (const Vec2& end : ends) labels.keep_free(end);
-          stroke({ends[0], ends[1]}, {ink});
-        }
+      if (!is_inside(at)) continue;
       mark(at, ink, number, series.width);
       if (point.ringed) out_.marks.push_back(Drawing::Disc{at, 6, {"text"}});
       labels.keep_free(at);
       if (!point.label.empty()) labels.add(at, point.label);
+    }
+  }
+  bool is_inside(const Vec2& at) const {
+    return Bounds{low_ - Vec2(1, 1), high_ + Vec2(1, 1)}.contains(at);
+  }
+  // The intervals of a point, which no label covers.
+  void interval(const Plot::Point& point, const std::string& ink, PointLabels& labels) {
+    if (!is_inside(place(point.x, point.y))) return;
+    for (const Vec2& half : {Vec2(0, point.half), Vec2(point.half_x, 0)}) {
+      if (half == Vec2(0, 0)) continue;
+      Vec2 ends[] = {end_of(point, -half), end_of(point, half)};
+      for (Vec2& end : ends) end = end.cwiseMax(low_).cwiseMin(high_);
+      const int steps = 1 + static_cast<int>((ends[1] - ends[0]).lpNorm<1>() / kApart);
+      for (int i = 0; i <= steps; ++i) labels.keep_free(ends[0] + i * (ends[1] - ends[0]) / steps);
+      stroke({ends[0], ends[1]}, {ink});
     }
   }
   // An end of an interval; at the border of the plot where a logarithm has none.
@@ -262,12 +316,16 @@ class PlotDrawing {
     out_.marks.push_back(Drawing::Picture{{left, y(1)}, {kBarWidth, height}, bar.strip});
     out_.marks.push_back(Drawing::Path{
         box_of({left - 0.5, y(1) - 0.5}, {left + kBarWidth + 0.5, y(0) + 0.5}), {"axis"}, true});
+    // Both ends, and between them those that have room.
+    double last = -height;
     for (const auto& [part, words] : bar.ticks) {
+      const bool is_end = &words == &bar.ticks.back().second;
+      if (!is_end && (y(last) - y(part) < kLine || y(part) - y(1) < kLine)) continue;
+      last = part;
       stroke({{left + kBarWidth, y(part)}, {left + kBarWidth + 4, y(part)}}, {"axis"});
       out_.marks.push_back(Drawing::Words{{left + kBarWidth + 7, y(part)}, words});
     }
-    out_.marks.push_back(
-        Drawing::Words{{out_.size.x() - 12, y(0.5)}, bar.label, 0.5, "text", true});
+    label({out_.size.x() + 18 - room_of(bar_label_), y(0.5)}, bar_label_, true);
   }
 
   void below() {
@@ -282,9 +340,12 @@ class PlotDrawing {
   const Plot& plot_;
   Bounds box_;  // of what is shown, logarithms where it is by these
   std::vector<Tick> ticks_[2];
-  std::vector<std::string> y_label_;
+  bool whole_[2] = {false, false};  // whether all coordinates there are whole numbers
+  std::vector<std::string> x_label_, y_label_, bar_label_;
+  double left_ = 0, right_ = 0;  // of what is beside the axes
   Vec2 low_{0, 0}, high_{0, 0};  // upper left and lower right corner of the axes
   Vec2 name_at_{0, 0};           // of the next entry of the legend
+  double legend_end_ = 0;
   bool has_names_ = false;
   Drawing out_;
 };

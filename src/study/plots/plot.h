@@ -41,7 +41,8 @@ struct Plot {
     Bounds bounds;
   };
   std::optional<Map> map{};
-  /// Which colour is which number: a column of pixels, and numbers at parts of it from below.
+  /// Which colour is which number: a column of pixels, and numbers at parts of it from below, of which
+  /// those are shown that have room.
   struct Bar {
     std::string label;
     Image strip;

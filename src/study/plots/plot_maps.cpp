@@ -46,18 +46,14 @@ Plot::Bar bar_of(std::string label, double most, const std::function<LinearRgb(d
   for (const Tick& tick :
        part_of ? log_ticks(log10_of(most) - 3, log10_of(most), 9) : ticks(0, most, 6)) {
     const double number = part_of ? portable::pow(10, tick.at) : tick.at;
-    if (!counts || number > 0.999) numbers.push_back(number);
+    if (number > (counts ? 0.999 : 0)) numbers.push_back(number);
   }
   if (numbers.back() != most) numbers.push_back(most);
-  // Both ends, and between them those that have room.
-  constexpr double kRoom = 0.07;
-  double last = -1;
-  for (const double number : numbers) {
-    const double part = number == most ? 1 : part_of ? part_of(number) : number / most;
-    if (part < 1 && (part - last < kRoom || part > 1 - kRoom)) continue;
-    bar.ticks.emplace_back(part, tick_words(number, 4));
-    last = part;
-  }
+  for (const double number : numbers)
+    bar.ticks.emplace_back(number == most ? 1
+                           : part_of      ? part_of(number)
+                                          : number / most,
+                           tick_words(number, 4));
   return bar;
 }
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "base/portable_math.h"
+#include "geom/bounds.h"
 
 namespace flatray {
 namespace {
 
 // Lengths in pixels of the picture.
-constexpr double kHalfLetter = 7, kSmallestState = 30, kGap = 5, kTitleHeight = 30;
+constexpr double kHalfLetter = 7, kSmallestState = 30, kGap = 5, kTitleHeight = 30, kMargin = 12;
 constexpr double kTip = 9, kHalfTip = 4;  // of an arrow: length, half width
 constexpr double kLoopHeight = 52,
                  kLoopSpread = 0.45;   // of a self loop: reach, half angle at the state
@@ -23,32 +24,39 @@ Vec2 turned(double angle) { return {portable::cos(angle), portable::sin(angle)};
 class GraphDrawing {
  public:
   explicit GraphDrawing(const StateGraph& graph) : graph_(graph) {
-    double longest = 0, widest = 0;
+    double longest = 0;
     for (const std::string& state : graph.states) longest = std::max(longest, words_width(state));
-    for (const StateGraph::Arrow& arrow : graph.arrows)
-      widest = std::max(widest, words_width(arrow.label));
     radius_ = std::max(kSmallestState, longest / 2 + 6);
     const auto count = static_cast<double>(graph.states.size());
     ring_ = count < 2 ? 0 : radius_ * std::max(kSmallestRing, kSpacing * count / (2 * kHalfTurn));
-    const double reach = std::max(ring_ + radius_ + kLoopHeight + widest + kGap,
-                                  words_width(graph.title) / 2 + kGap);
-    out_.size = {2 * reach, 2 * reach + kTitleHeight};
     out_.title = graph.title;
-    centre_ = {reach, reach + kTitleHeight};
   }
 
+  // Drawn about the origin first, to see how far it reaches.
   Drawing drawing() && {
-    label({centre_.x(), kTitleHeight / 2 + 4}, graph_.title, true);
-    for (const StateGraph::Arrow& arrow : graph_.arrows)
-      arrow.from == arrow.to ? loop(arrow) : bend(arrow);
-    for (std::size_t i = 0; i < graph_.states.size(); ++i) {
-      out_.marks.push_back(Drawing::Disc{place(i), radius_, {"text", "paper", 1.5}});
-      label(place(i), graph_.states[i]);
-    }
+    draw();
+    const Bounds box = box_;
+    out_.marks.clear();
+    out_.size = {std::max(box.size().x(), words_width(graph_.title)) + 2 * kMargin,
+                 box.size().y() + kTitleHeight + 2 * kMargin};
+    centre_ = Vec2(out_.size.x() / 2, kTitleHeight + kMargin) -
+              Vec2(0.5 * (box.low.x() + box.high.x()), box.low.y());
+    label({out_.size.x() / 2, kTitleHeight / 2 + 4}, graph_.title, true);
+    draw();
     return std::move(out_);
   }
 
  private:
+  void draw() {
+    box_.add(centre_);
+    for (const StateGraph::Arrow& arrow : graph_.arrows)
+      arrow.from == arrow.to ? loop(arrow) : bend(arrow);
+    for (std::size_t i = 0; i < graph_.states.size(); ++i) {
+      out_.marks.push_back(Drawing::Disc{place(i), radius_, {"text", "paper", 1.5}});
+      for (const double side : {-radius_, radius_}) box_.add(place(i) + Vec2::Constant(side));
+      label(place(i), graph_.states[i]);
+    }
+  }
   double angle(std::size_t i) const {
     return 2 * kHalfTurn * static_cast<double>(i) / static_cast<double>(graph_.states.size()) -
            kHalfTurn / 2;
@@ -56,6 +64,9 @@ class GraphDrawing {
   Vec2 place(std::size_t i) const { return centre_ + ring_ * turned(angle(i)); }
 
   void label(const Vec2& at, const std::string& words, bool bold = false) {
+    const Vec2 half(words_width(words) / 2, kHalfLetter);
+    box_.add(at - half);
+    box_.add(at + half);
     out_.marks.push_back(Drawing::Words{at, words, 0.5, "text", false, bold});
   }
   // Beside `at`, far enough to the given side for the words not to touch the arrow.
@@ -101,6 +112,7 @@ class GraphDrawing {
   const StateGraph& graph_;
   double radius_ = 0, ring_ = 0;
   Vec2 centre_{0, 0};
+  Bounds box_;  // of what is drawn
   Drawing out_;
 };
 

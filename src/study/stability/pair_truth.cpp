@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "anim/rigid_motion.h"
+#include "base/counted.h"
 #include "base/philox.h"
 #include "base/processor_time.h"
 #include "collide/meetings.h"
@@ -292,12 +293,12 @@ class TouchFinder {
 std::string PairTruth::words() const {
   std::string text;
   if (compared.size() > bent || bent == 0)
-    text = fmt::format("{} pairs of polygons by shadows in rationals (oracle/contact)",
-                       compared.size() - bent);
+    text = counted(compared.size() - bent, "pair of polygons", "pairs of polygons") +
+           " by shadows in rationals (oracle/contact)";
   if (bent > 0)
     text += fmt::format(
-        "{}{} pairs with discs or what turns by bisection in 256 bits (oracle/turning_contact)",
-        text.empty() ? "" : ", ", bent);
+        "{}{} with discs or what turns by bisection in 256 bits (oracle/turning_contact)",
+        text.empty() ? "" : ", ", counted(bent, "pair"));
   text += fmt::format("; {} of them meet", meet.size());
   if (grazing > 0) text += fmt::format("; {} graze too closely to be told", grazing);
   if (left_out > 0)

@@ -25,6 +25,24 @@ TEST(StateGraph, HasACircleForEachStateAndAnArrowForEachTransition) {
     EXPECT_EQ(times(picture, shown), std::string(shown) == ">chain<" ? 2U : 1U) << shown;
 }
 
+// Of a triangle of states, which stand round no middle of what is drawn.
+TEST(StateGraph, HasNoEmptyRoomAroundIt) {
+  const Drawing drawing = drawing_of(StateGraph{"t", {"A", "B", "C"}, {{0, 1, "1"}, {1, 2, "1"}}});
+  double left = 1e9, right = 0, low = 0;
+  for (const auto& mark : drawing.marks)
+    if (const auto* disc = std::get_if<Drawing::Disc>(&mark)) {
+      left = std::min(left, disc->centre.x() - disc->radius);
+      right = std::max(right, disc->centre.x() + disc->radius);
+      low = std::max(low, disc->centre.y() + disc->radius);
+    }
+  EXPECT_GT(left, 0);
+  EXPECT_LT(left, 20);
+  EXPECT_GT(drawing.size.x() - right, 0);
+  EXPECT_LT(drawing.size.x() - right, 40) << "beside it stands a label";
+  EXPECT_GT(drawing.size.y() - low, 0);
+  EXPECT_LT(drawing.size.y() - low, 40);
+}
+
 TEST(StateGraph, TextFromAScenesAuthorCannotBreakOutOfIt) {
   const std::string evil = "</text><script>&\"'\x1b\n";
   const std::string picture = svg(drawing_of(StateGraph{evil, {evil}, {{0, 0, evil}}}));

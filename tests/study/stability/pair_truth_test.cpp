@@ -29,6 +29,10 @@ TEST(PairTruth, TellsOfDiscsThatMeetOnTheirWayAlone) {
   EXPECT_EQ(truth.bent, 3U);
   EXPECT_EQ(truth.meet, (std::set<Pair>{{0, 1}}));
   EXPECT_EQ(truth.compared, (std::set<Pair>{{0, 1}, {0, 2}, {0, 3}}));
+  EXPECT_TRUE(truth.words().starts_with("3 pairs with discs")) << truth.words();
+  EXPECT_TRUE(truth_of(scene_of(disc(0, 0, 1, "velocity = [10, 0]\n") + disc(5, 1, 1)))
+                  .words()
+                  .starts_with("1 pair with discs"));
 }
 
 TEST(PairTruth, DoesNotTellWhatOnlyJustTouches) {

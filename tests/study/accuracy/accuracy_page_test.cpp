@@ -1,0 +1,37 @@
+#include "study/accuracy/accuracy_page.h"
+
+#include <gtest/gtest.h>
+
+#include "study/accuracy/accuracy.h"
+
+namespace flatray {
+namespace {
+
+// The best setting may have no error at all, and then no place on a logarithm.
+TEST(AccuracyPage, APlotRingsWhatItShowsAndSaysWhatItCannot) {
+  ChoiceReport report;
+  report.name = "made";
+  report.one_question = true;
+  report.points.push_back({"right", 0.25, 0, 0, {0}});
+  report.points.push_back({"wrong", 0.125, 0, 0, {0.5}});
+  for (AccuracyPoint& point : report.points) point.best = true;
+  const std::string text = accuracy_plot(report);
+  EXPECT_NE(text.find("Without any error: right, best under 1 s"), std::string::npos) << text;
+  EXPECT_EQ(text.find("Ringed"), std::string::npos);
+  report.points[0].outcome.error = 0.25;
+  EXPECT_NE(accuracy_plot(report).find("Ringed: right, best under 1 s"), std::string::npos);
+}
+
+// Where each choice has one setting all of them would be 1.
+TEST(AccuracyPage, HasAnOverviewWhereThereIsSomethingToCompare) {
+  ChoiceReport report;
+  report.name = "made";
+  report.points.push_back({"one", 0.25, 0, 0, {0.5}});
+  const auto page = [&] { return accuracy_page("scene", {&report, 1}, std::nullopt); };
+  EXPECT_EQ(page().find("All choices: error"), std::string::npos);
+  report.points.push_back({"two", 0.5, 0, 0, {0.25}});
+  EXPECT_NE(page().find("All choices: error"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace flatray
