@@ -195,13 +195,9 @@ Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderReque
 }
 
 VerbOutput describe(const WorkList& list) {
-  Values values;
   VerbOutput output;
-  for (const Work& work : list.works) {
-    values.push_back(dry_value(work, list.threads));
-    output.text.emplace_back(dry_text(work, list.threads));
-  }
-  output.results = std::move(values);
+  for (const Work& work : list.works)
+    output.add(dry_value(work, list.threads), dry_text(work, list.threads));
   return output;
 }
 

@@ -37,6 +37,9 @@ struct VerbOutput {
   Diagnostics problems{};  ///< that end the answer: told after it, as those of a failed Result
   bool picture = false;    ///< the text is bytes of a file
   std::shared_ptr<const void> kept{};  ///< what rows made when they are written are made of
+
+  /// One more of a list of results, and its text.
+  void add(JsonValue result, std::string words);
 };
 
 /// In the form asked for, of results that it takes out. --json prints one object: schema

@@ -226,13 +226,10 @@ Result<VerbOutput> run(const Options& options) {
   if (auto done = follow(options, *all); !done) return fail(std::move(done));
   if (options.has("svg")) return VerbOutput{{svg_of(all->room, all->reports)}};
   VerbOutput output{.table = bounce_table(all->room, all->reports), .kept = all};
-  Values values;
   for (const OrbitReport& report : all->reports) {
-    values.push_back(as_value(all->room, report));
     output.text.emplace_back(bounce_table(all->room, {&report, 1}));
-    output.text.emplace_back(status_line(all->room, report));
+    output.add(as_value(all->room, report), status_line(all->room, report));
   }
-  output.results = std::move(values);
   return output;
 }
 

@@ -178,15 +178,12 @@ class FolderCheck {
 
 Result<VerbOutput> run(const Options& options) {
   VerbOutput output;
-  Values values;
   for (const std::string& folder : options.operands()) {
     FolderCheck check(folder, options.threads);
     if (auto done = check.run(); !done) return fail(std::move(done));
-    output.text.emplace_back(check.text());
-    values.push_back(check.value());
+    output.add(check.value(), check.text());
     if (!check.sound()) output.exit_code = 1;
   }
-  output.results = std::move(values);
   return output;
 }
 
