@@ -103,13 +103,21 @@ Result<std::vector<RayState>> chosen_rays(const Options& options, const Scene& s
   return unknown_name(options.where("ray"), "ray of the scene", *wanted, known);
 }
 
+// The first of some options that asks for more than the usual.
+const char* asks_more(const Options& options, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (const std::string text = options.text(name).value_or("none");
+        text != "none" && text != "double" && text != "stop")
+      return name;
+  return nullptr;
+}
+
 // What only mirrors at rest have.
 Result<void> check_frozen(const Options& options, const std::string& ray) {
-  for (const char* option : {"precision", "tracer", "corner"})
-    if (options.has(option) && *options.text(option) != "double" && *options.text(option) != "stop")
-      return usage_error(options.where(option),
-                         "is not for rays of finite speed, as '" + ray + "' is",
-                         "leave it out, or say --speed none");
+  if (const char* option = asks_more(options, {"precision", "tracer", "corner"}))
+    return usage_error(options.where(option),
+                       "is not for rays of finite speed, as '" + ray + "' is",
+                       "leave it out, or say --speed none");
   return {};
 }
 
@@ -169,23 +177,16 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
 
 // What only straight flights have.
 Result<void> check_straight(const Options& options, const Scene& scene) {
-  if (scene.field() == 0) return {};
-  const std::pair<const char*, bool> asked[] = {{"precision", options.precision.certified},
-                                                {"tracer", options.precision.tracer != nullptr},
-                                                {"corner", options.corner != CornerRule::stop},
-                                                {"speed", options.speeds.speed.has_value()}};
-  for (const auto& [option, is_asked] : asked)
-    if (is_asked)
-      return usage_error(options.where(option), "is not for flights in a magnetic field",
-                         "leave it out, or say -D chamber.0.field=0");
-  return {};
+  const char* option = asks_more(options, {"precision", "tracer", "corner", "speed"});
+  if (scene.field() == 0 || option == nullptr) return {};
+  return usage_error(options.where(option), "is not for flights in a magnetic field",
+                     "leave it out, or say -D chamber.0.field=0");
 }
 
 // What glass does not split.
 Result<void> check_unsplit(const Options& options, const Scene& scene) {
-  for (const char* option : {"precision", "corner"})
-    if (options.has(option) && *options.text(option) != "double" && *options.text(option) != "stop")
-      return expect_no_glass(scene, fmt::format("--{} {}", option, *options.text(option)));
+  if (const char* option = asks_more(options, {"precision", "corner"}))
+    return expect_no_glass(scene, fmt::format("--{} {}", option, *options.text(option)));
   return {};
 }
 
