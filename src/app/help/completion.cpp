@@ -118,7 +118,7 @@ void complete_operand(Completion& completion, const CommandLine& line, const Ver
     }
     return;
   }
-  if (line.operands.size() >= verb.most_operands) return;
+  if (line.operands.size() >= verb.most_operands()) return;
   add_values(completion, line, operand_word(verb, line.operands.size()),
              line.operands.empty() ? verb.words : nullptr);
 }

@@ -89,8 +89,6 @@ extern const Verb accuracy = {
     "accuracy",
     "SCENE",
     "measure error against run time of every choice a scene has",
-    1,
-    1,
     kCommand<Options, &run>,
     "  flatray accuracy scenes/tutorial/11_journey.toml -o out/accuracy\n"
     "  flatray accuracy scenes/chamber/sinai.toml --choice samples,precision --budget 10s\n"

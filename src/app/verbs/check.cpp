@@ -56,8 +56,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb check = {"check",
                            "SCENE...",
                            "read scenes and report every mistake, without drawing",
-                           1,
-                           10'000,
                            kCommand<Options, &run>,
                            "  flatray check scenes/*.toml\n",
                            ""};

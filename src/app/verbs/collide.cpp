@@ -226,8 +226,6 @@ extern const Verb collide = {
     "collide",
     "SCENE",
     "say when the entities of a scene meet, and where",
-    1,
-    1,
     kCommand<Options, &run>,
     "  flatray collide scenes/paper/case_two.toml\n"
     "  flatray collide scenes/paper/case_two.toml --table\n"

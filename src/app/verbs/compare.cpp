@@ -237,8 +237,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb compare = {"compare",
                              "A.png B.png",
                              "say whether two pictures, or two folders of pictures, are equal",
-                             2,
-                             2,
                              kCommand<Options, &run>,
                              "  flatray compare out/a.png out/b.png --diff out/diff.png\n"
                              "  flatray compare out/demo out/demo_of_yesterday --metric psnr\n",

@@ -57,8 +57,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb convert = {"convert",
                              "SCENE OUT.toml",
                              "write a scene of any format as TOML; comments are left out",
-                             2,
-                             2,
                              kCommand<Options, &run>,
                              "  flatray convert scenes/imported/castle.obj castle.toml\n"
                              "  flatray convert scene.toml - -D film.size=[64,64] > small.toml\n",

@@ -291,8 +291,6 @@ extern const Verb experiment = {
     "experiment",
     "NAME SCENE",
     "measure something of a scene and compare it with what must come out",
-    2,
-    2,
     kCommand<Options, &run>,
     "  flatray experiment mean-free-path scenes/chamber/sinai.toml -o out\n"
     "  flatray experiment lyapunov scenes/chamber/sinai.toml "

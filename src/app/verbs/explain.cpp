@@ -100,8 +100,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb explain = {"explain",
                              "SCENE",
                              "show what a render of the scene would do and leave out, and why",
-                             1,
-                             1,
                              kCommand<Options, &run>,
                              "  flatray explain scenes/demo.toml\n"
                              "  flatray explain --measure -f 1..48 scenes/demo.toml\n",

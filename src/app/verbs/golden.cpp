@@ -198,8 +198,6 @@ extern const Verb golden = {
     "golden",
     "check|update [SCENE...]",
     "compare committed pictures with what the scenes draw, or accept new ones",
-    1,
-    10'000,
     kCommand<Options, &run>,
     "  flatray golden check\n"
     "  flatray golden check chamber/hall\n"

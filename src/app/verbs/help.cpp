@@ -15,8 +15,6 @@ Result<VerbOutput> run(const NoOptions& options) {
 extern const Verb help = {"help",
                           "[TOPIC]",
                           "explain a verb, a topic, a table or a shape of scenes",
-                          0,
-                          1,
                           kCommand<NoOptions, &run>,
                           "  flatray help render\n"
                           "  flatray help frames\n"

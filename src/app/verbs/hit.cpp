@@ -188,8 +188,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb hit = {"hit",
                          "SCENE",
                          "show which parts of rays lie inside each shape, edge by edge",
-                         1,
-                         1,
                          kCommand<Options, &run>,
                          "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
                          "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n"

@@ -87,8 +87,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb list = {"list",
                           "[KIND]",
                           "show what is registered, as shapes, formats, tracers and experiments",
-                          0,
-                          1,
                           kCommand<Options, &run>,
                           "  flatray list shapes\n",
                           "",

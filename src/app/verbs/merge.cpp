@@ -167,8 +167,6 @@ extern const Verb merge = {
     "merge",
     "FILE.film...",
     "add films of light, exactly and in any order, into a film or a picture",
-    1,
-    10'000,
     kCommand<Options, &run>,
     "  flatray render scene.toml --ray-shard 0/2 -o a.film    # and 1/2 elsewhere\n"
     "  flatray merge a.film b.film -o picture.png\n"

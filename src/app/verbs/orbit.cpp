@@ -240,8 +240,6 @@ extern const Verb orbit = {
     "orbit",
     "SCENE",
     "follow the rays of a scene from mirror to mirror",
-    1,
-    1,
     kCommand<Options, &run>,
     "  flatray orbit scenes/chamber/hall.toml\n"
     "  flatray orbit scenes/chamber/hall.toml --ray probe -n 100 --csv\n"

@@ -107,8 +107,6 @@ extern const Verb query = {
     "query",
     "[FILE|-]",
     "answer geometry questions, one JSON object a line",
-    0,
-    1,
     kCommand<Options, &run>,
     "  echo '{\"op\":\"clip\",\"polygon\":[[0,0],[1,0],[1,1]],\"origin\":[-1,0.5],"
     "\"direction\":[1,0]}' | flatray query\n"

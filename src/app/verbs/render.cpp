@@ -181,8 +181,6 @@ extern const Verb render = {
     "render",
     "SCENE...",
     "draw frames of scenes into picture files",
-    1,
-    10'000,
     kCommand<Options, &run>,
     "  flatray render scenes/demo.toml\n"
     "  flatray render scene.toml -f 3 -o hall.png\n"

@@ -229,8 +229,6 @@ extern const Verb stability = {
     "stability",
     "[SCENE]",
     "compare tracers and contacts with exact arithmetic on inputs made to be hard",
-    0,
-    1,
     kCommand<Options, &run>,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"

@@ -193,8 +193,6 @@ extern const Verb verify = {
     "verify",
     "FOLDER...",
     "say whether frames, blocks and rows in a folder are as their records say; writes nothing",
-    1,
-    10'000,
     kCommand<Options, &run>,
     "  flatray verify out/demo\n"
     "  flatray verify out/demo --json | jq '.results[].problems'\n",
