@@ -20,8 +20,7 @@ VerbOutput stability_output(Table table, bool sound) {
 Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request) {
   const std::uint64_t blocks = (*request.leaks + kRaysALeakBlock - 1) / kRaysALeakBlock;
   const std::vector<std::string>& places = request.places;
-  auto log = LeakLog::open(arguments.text("output"), Outputs(arguments));
-  if (!log) return fail(std::move(log));
+  FLATRAY_TRY(log, LeakLog::open(arguments.text("output"), Outputs(arguments)));
   Table table({"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong",
                "first_t_off", "asked", "beside", "nothing", "through_end", "through", "invented"});
   bool sound = true;

@@ -41,8 +41,7 @@ Result<Values> write_files(const ExperimentResult& result, const std::filesystem
       return fail(std::move(allowed));
   }
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    auto written = outputs.write(paths[i], result.files[i].content);
-    if (!written) return fail(std::move(written));
+    FLATRAY_TRY(written, outputs.write(paths[i], result.files[i].content));
     names.emplace_back(paths[i].string());
   }
   return names;

@@ -95,8 +95,7 @@ void FrameEncoder::keep_report() {
 
 Result<const Encoded*> FrameEncoder::encode_film(const RenderPlan& plan, const Timeline& timeline,
                                                  unsigned frame) {
-  Result<std::optional<FilmFile>> film = traced_film(job_, plan, timeline, frame, options_);
-  if (!film) return fail(std::move(film));
+  FLATRAY_TRY(film, traced_film(job_, plan, timeline, frame, options_));
   if (!*film) return nullptr;
   keep(**film, all_changed);
   report_ = report_of(**film);

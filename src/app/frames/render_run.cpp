@@ -139,8 +139,7 @@ class Run {
           return allowed;
         continue;
       }
-      auto claim = begin_work(work, outputs, warnings);
-      if (!claim) return fail(std::move(claim));
+      FLATRAY_TRY(claim, begin_work(work, outputs, warnings));
       claims_.emplace(&work, std::move(*claim));
     }
     report_warnings(warnings, arguments_);
@@ -187,8 +186,7 @@ class Run {
 Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request) {
   WorkList list{{}, request.threads()};
   for (const RenderJob& job : jobs) {
-    Result<Work> work = plan_work(job, request.resume, request.threads());
-    if (!work) return fail(std::move(work));
+    FLATRAY_TRY(work, plan_work(job, request.resume, request.threads()));
     list.works.push_back(std::move(*work));
   }
   return list;

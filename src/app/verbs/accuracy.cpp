@@ -48,8 +48,7 @@ struct Options : Arguments {
 };
 
 Result<VerbOutput> run(const Options& options) {
-  const auto loaded = load_input(options.scene, options.operands()[0]);
-  if (!loaded) return tl::unexpected(loaded.error());
+  FLATRAY_TRY(loaded, load_input(options.scene, options.operands()[0]));
   report_warnings(loaded->warnings, options);
   // Before anything is measured, as nothing is measured for a file that cannot be written.
   const Outputs outputs(options);
@@ -70,8 +69,7 @@ Result<VerbOutput> run(const Options& options) {
                                 options.budget};
   const std::vector<ChoiceReport> reports = measure_choices(chosen, context);
   const ExperimentResult result = accuracy_report(loaded->scene.name, reports, picture_of(context));
-  auto files = write_files(result, options.output, outputs);
-  if (!files) return fail(std::move(files));
+  FLATRAY_TRY(files, write_files(result, options.output, outputs));
   if (!options.profile.empty()) {
     if (auto written = outputs.write(options.profile, profile_text(loaded->scene, reports));
         !written)

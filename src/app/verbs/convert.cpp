@@ -39,8 +39,7 @@ Result<VerbOutput> run(const Options& options) {
   const std::string& input = options.operands()[0];
   const fs::path output = options.operands()[1];
   if (auto checked = check_output(options, output); !checked) return fail(std::move(checked));
-  Result<ReadScene> read = read_input(options.scene, input);
-  if (!read) return fail(std::move(read));
+  FLATRAY_TRY(read, read_input(options.scene, input));
   report_warnings(read->loaded.warnings, options);
   const fs::path folder = output == "-" ? fs::path() : output.parent_path();
   if (auto rebased = rebase_file_names(read->desc, input, folder); !rebased)

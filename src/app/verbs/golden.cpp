@@ -91,8 +91,7 @@ Result<std::vector<GoldenRow>> chosen_rows(const fs::path& root, std::vector<Gol
 
 // The report of a row, "" if it passes; its pictures are left to look at if not.
 Result<std::string> check_row(const fs::path& root, const GoldenRow& row, const Outputs& outputs) {
-  const Result<GoldenCheck> check = check_golden(root, row);
-  if (!check) return tl::unexpected(check.error());
+  FLATRAY_TRY(check, check_golden(root, row));
   if (check->passes()) return std::string();
   if (auto written = write_look(root, row, *check, outputs); !written)
     return fail(std::move(written));
@@ -132,10 +131,8 @@ VerbOutput check_rows(const fs::path& root, const std::vector<GoldenRow>& rows, 
 
 Result<VerbOutput> check(const Options& options) {
   const fs::path root = options.root;
-  const Result<std::vector<GoldenRow>> all = read_goldens(root);
-  if (!all) return tl::unexpected(all.error());
-  const Result<std::vector<GoldenRow>> rows = chosen_rows(root, *all, options.names());
-  if (!rows) return tl::unexpected(rows.error());
+  FLATRAY_TRY(all, read_goldens(root));
+  FLATRAY_TRY(rows, chosen_rows(root, *all, options.names()));
   Diagnostics strays;
   if (options.names().empty())
     for (const std::string& file : stray_goldens(root, *all))
@@ -167,13 +164,10 @@ Result<std::vector<GoldenRow>> rows_so_far(const fs::path& root) {
 Result<VerbOutput> update(const Options& options) {
   const fs::path root = options.root;
   GoldenRequest request = options.request;
-  Result<std::string> scene = find_scene(root, options.names().front());
-  if (!scene) return fail(std::move(scene));
+  FLATRAY_TRY(scene, find_scene(root, options.names().front()));
   request.scene = *std::move(scene);
-  const Result<std::vector<GoldenRow>> rows = rows_so_far(root);
-  if (!rows) return tl::unexpected(rows.error());
-  const Result<GoldenUpdate> update = plan_update(root, *rows, request);
-  if (!update) return tl::unexpected(update.error());
+  FLATRAY_TRY(rows, rows_so_far(root));
+  FLATRAY_TRY(update, plan_update(root, *rows, request));
   if (auto written = write_update(root, *update, Outputs(options)); !written)
     return fail(std::move(written));
   VerbOutput output;

@@ -5,8 +5,7 @@ namespace {
 
 Result<VerbOutput> run(const NoOptions& options) {
   if (options.operands().empty()) return VerbOutput{{help_text()}};
-  Result<std::string> page = help_page(options.operands().front());
-  if (!page) return fail(std::move(page));
+  FLATRAY_TRY(page, help_page(options.operands().front()));
   return VerbOutput{{std::move(*page)}};
 }
 

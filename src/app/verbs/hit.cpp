@@ -163,13 +163,10 @@ VerbOutput show(const std::vector<HitReport>& reports) {
 }
 
 Result<VerbOutput> run(const Options& options) {
-  const auto scene = load_only_input(options, options.scene);
-  if (!scene) return tl::unexpected(scene.error());
+  FLATRAY_TRY(scene, load_only_input(options, options.scene));
   if (auto straight = expect_no_field(*scene, "hit"); !straight) return fail(std::move(straight));
-  const auto state = frame_of(options.scene, *scene, options.frame);
-  if (!state) return tl::unexpected(state.error());
-  const auto questions = read_questions(options, *scene, *state);
-  if (!questions) return tl::unexpected(questions.error());
+  FLATRAY_TRY(state, frame_of(options.scene, *scene, options.frame));
+  FLATRAY_TRY(questions, read_questions(options, *scene, *state));
   if (options.operation) return show_sets(options, *scene, *state, *questions);
   std::vector<HitReport> reports;
   for (const Question& question : *questions)

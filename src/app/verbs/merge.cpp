@@ -39,8 +39,7 @@ struct Target {
   const PictureFormat* format = nullptr;
 };
 Result<Target> parse_target(const std::string& text, const Place& where) {
-  const auto output = OutputPattern::parse(text, std::nullopt, where);
-  if (!output) return tl::unexpected(output.error());
+  FLATRAY_TRY(output, OutputPattern::parse(text, std::nullopt, where));
   if (output->has_scene() || output->is_stdout())
     return usage_error(where, "is not the name of one file", "say all.film");
   if (output->format().is_video())
@@ -101,8 +100,7 @@ Result<FilmFile> merged(const Options& options) {
   const std::vector<std::string>& paths = options.operands();
   Result<FilmFile> film = read_film(paths.front(), options.max_bytes);
   for (std::size_t i = 1; film && i < paths.size(); ++i) {
-    const auto more = read_film(paths[i], options.max_bytes);
-    if (!more) return tl::unexpected(more.error());
+    FLATRAY_TRY(more, read_film(paths[i], options.max_bytes));
     if (auto added = merge_film(*film, *more, paths[i]); !added) return fail(std::move(added));
   }
   return film;
@@ -136,8 +134,7 @@ Result<void> write_error(const Options& options, const FilmFile& film, const Lig
 }
 
 Result<VerbOutput> run(const Options& options) {
-  const auto film = merged(options);
-  if (!film) return tl::unexpected(film.error());
+  FLATRAY_TRY(film, merged(options));
   const LightReport report = report_of(*film);
   const Outputs outputs(options);
   const std::filesystem::path& path = options.output.path;

@@ -130,8 +130,7 @@ class MovingRoom {
     if (Diagnostics refused = refused_mirrors(scene); !refused.empty())
       return tl::unexpected(std::move(refused));
     const unsigned last = std::max(scene.frames, frame.frame);
-    const auto timeline = make_timeline(scene, options.scene.seed_of(scene), last);
-    if (!timeline) return tl::unexpected(timeline.error());
+    FLATRAY_TRY(timeline, make_timeline(scene, options.scene.seed_of(scene), last));
     return MovingRoom(moving_walls(*timeline), frame.time,
                       responds(scene) ? (last - 1) / scene.fps : kInfinity);
   }
@@ -168,8 +167,7 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
                         options.request(room.scene, state.ray));
   if (auto checked = check_frozen(options, ray.name); !checked) return fail(std::move(checked));
   if (!moving) {
-    auto made = MovingRoom::make(options, room.scene, frame);
-    if (!made) return fail(std::move(made));
+    FLATRAY_TRY(made, MovingRoom::make(options, room.scene, frame));
     moving = std::move(*made);
   }
   return moving->follow(room, state, *speed, bounces);
@@ -202,11 +200,9 @@ struct Followed {
 };
 
 Result<void> follow(const Options& options, Followed& all) {
-  const auto rays = chosen_rays(options, all.scene, all.frame);
-  if (!rays) return tl::unexpected(rays.error());
+  FLATRAY_TRY(rays, chosen_rays(options, all.scene, all.frame));
   for (const RayState& ray : *rays) {
-    auto report = follow_ray(options, all.room, all.frame, ray, all.moving);
-    if (!report) return fail(std::move(report));
+    FLATRAY_TRY(report, follow_ray(options, all.room, all.frame, ray, all.moving));
     if (report->starts_badly)
       report_warnings({{all.scene.rays[ray.ray].where,
                         all.scene.rays[ray.ray].name + " starts " + report->start, ""}},
@@ -217,12 +213,10 @@ Result<void> follow(const Options& options, Followed& all) {
 }
 
 Result<VerbOutput> run(const Options& options) {
-  auto scene = load_only_input(options, options.scene);
-  if (!scene) return fail(std::move(scene));
+  FLATRAY_TRY(scene, load_only_input(options, options.scene));
   if (auto checked = check_straight(options, *scene); !checked) return fail(std::move(checked));
   if (auto checked = check_unsplit(options, *scene); !checked) return fail(std::move(checked));
-  auto frame = frame_of(options.scene, *scene, options.frame);
-  if (!frame) return fail(std::move(frame));
+  FLATRAY_TRY(frame, frame_of(options.scene, *scene, options.frame));
   const auto all = std::make_shared<Followed>(*std::move(scene), *std::move(frame));
   if (auto done = follow(options, *all); !done) return fail(std::move(done));
   if (options.has("svg")) return VerbOutput{{svg_of(all->room, all->reports)}};
