@@ -89,10 +89,8 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
 
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request) {
   FLATRAY_TRY(scene, load_only_input(arguments, request.scene));
-  if (auto straight = expect_no_field(*scene, "stability"); !straight)
-    return fail(std::move(straight));
-  if (auto unsplit = expect_no_glass(*scene, "stability"); !unsplit)
-    return fail(std::move(unsplit));
+  FLATRAY_TRY(straight, expect_no_field(*scene, "stability"));
+  FLATRAY_TRY(unsplit, expect_no_glass(*scene, "stability"));
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
   Table table({"ray", "leg", "near", "x", "y", "distance", "ulps"});
   for (const Margin& margin : all)

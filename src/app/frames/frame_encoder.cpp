@@ -40,9 +40,8 @@ FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)(
 
 Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
   if (!list) return fail(std::move(list));
-  Result<void> drawn =
-      std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_);
-  if (!drawn) return fail(std::move(drawn));
+  FLATRAY_TRY(drawn,
+              std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_));
   keep_report();
   if (job_.renderer) return options_.stopped() ? nullptr : &out_;
   return std::visit([](const auto& drawer) { return drawer.whole(); }, drawer_) ? &out_ : nullptr;

@@ -195,10 +195,9 @@ LightReport report_of(const FilmFile& film) {
 }
 
 Result<FilmFile> read_film(const fs::path& path, std::size_t most_bytes) {
-  const auto text = read_file(
-      path,
-      {.bytes = most_bytes, .raise = "--max-bytes N allows more", .begins = {kFilmSignature}});
-  if (!text) return tl::unexpected(text.error());
+  FLATRAY_TRY(text, read_file(path, {.bytes = most_bytes,
+                                     .raise = "--max-bytes N allows more",
+                                     .begins = {kFilmSignature}}));
   Result<FilmFile> film = decode_film(std::as_bytes(std::span(*text)), path.string());
   if (const auto wrong = film ? misfit(*film) : std::nullopt)
     return fail(named_place(path.string()), "is not a film that flatray render writes: " + *wrong,

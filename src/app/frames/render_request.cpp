@@ -93,8 +93,7 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
                        fmt::format("there is no frame {} in {}", frames.back(), scene.name),
                        fmt::format("its lines are frames 1 to {}", scene.frames));
   FLATRAY_TRY(output, output_of(request, scene.frames > 1 || frames.size() > 1));
-  if (auto fits = check_places(arguments, *output, frames.size()); !fits)
-    return fail(std::move(fits));
+  FLATRAY_TRY(fits, check_places(arguments, *output, frames.size()));
   std::string name;
   if (output->has_scene()) {
     FLATRAY_TRY(plain, plain_name(scene.name));

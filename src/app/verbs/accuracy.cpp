@@ -71,9 +71,7 @@ Result<VerbOutput> run(const Options& options) {
   const ExperimentResult result = accuracy_report(loaded->scene.name, reports, picture_of(context));
   FLATRAY_TRY(files, write_files(result, options.output, outputs));
   if (!options.profile.empty()) {
-    if (auto written = outputs.write(options.profile, profile_text(loaded->scene, reports));
-        !written)
-      return fail(std::move(written));
+    FLATRAY_TRY(written, outputs.write(options.profile, profile_text(loaded->scene, reports)));
     files->emplace_back(options.profile);
   }
   Fields results = accuracy_fields(loaded->scene.name, reports);

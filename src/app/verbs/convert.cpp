@@ -42,8 +42,7 @@ Result<VerbOutput> run(const Options& options) {
   FLATRAY_TRY(read, read_input(options.scene, input));
   report_warnings(read->loaded.warnings, options);
   const fs::path folder = output == "-" ? fs::path() : output.parent_path();
-  if (auto rebased = rebase_file_names(read->desc, input, folder); !rebased)
-    return fail(std::move(rebased));
+  FLATRAY_TRY(rebased, rebase_file_names(read->desc, input, folder));
   std::string text = write_toml(read->desc);
   if (output == "-") return VerbOutput{{std::move(text)}};
   if (auto written = Outputs(options).write(output, text); !written)

@@ -254,12 +254,11 @@ Result<VerbOutput> run(const Options& options) {
   else if (options.hdf5) {
     std::string name = experiment.name;
     std::replace(name.begin(), name.end(), '-', '_');  // as files beside it are called
-    auto file = hdf5_file(name,
-                          {{"question", experiment.question},
-                           {"asked", json_text(asked_of(options))},
-                           {"version", kVersion}},
-                          *result);
-    if (!file) return tl::unexpected(file.error());
+    FLATRAY_TRY(file, hdf5_file(name,
+                                {{"question", experiment.question},
+                                 {"asked", json_text(asked_of(options))},
+                                 {"version", kVersion}},
+                                *result));
     result->files.push_back(std::move(*file));
   }
   FLATRAY_TRY(files, write_files(*result, options.folder(), Outputs(options)));

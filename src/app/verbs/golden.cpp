@@ -168,8 +168,7 @@ Result<VerbOutput> update(const Options& options) {
   request.scene = *std::move(scene);
   FLATRAY_TRY(rows, rows_so_far(root));
   FLATRAY_TRY(update, plan_update(root, *rows, request));
-  if (auto written = write_update(root, *update, Outputs(options)); !written)
-    return fail(std::move(written));
+  FLATRAY_TRY(written, write_update(root, *update, Outputs(options)));
   VerbOutput output;
   for (const GoldenUpdate::Picture& picture : update->pictures)
     output.text.emplace_back(change_text(picture));

@@ -156,10 +156,8 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
   const RayPath& ray = room.scene.rays[state.ray];
   const std::uint64_t bounces = options.bounces.value_or(ray.bounces);
   const double bytes = static_cast<double>(bounces) * sizeof(Bounce);
-  if (auto fits = expect_memory(options, bytes, fmt::format("an orbit of {} bounces", bounces),
-                                "say fewer --bounces");
-      !fits)
-    return fail(std::move(fits));
+  FLATRAY_TRY(fits, expect_memory(options, bytes, fmt::format("an orbit of {} bounces", bounces),
+                                  "say fewer --bounces"));
   const std::optional<double> speed = options.speeds.of(ray);
   if (!speed)
     return follow_orbit(room, ray.name,

@@ -135,8 +135,7 @@ Result<void> complete(const Options& options, const std::shared_ptr<const Render
 
 // What a profile chooses, as if it had been given.
 Result<Options> with_profile(Options options) {
-  if (auto chosen = choose_by_profile(options, options.profile, options.request.scene); !chosen)
-    return fail(std::move(chosen));
+  FLATRAY_TRY(chosen, choose_by_profile(options, options.profile, options.request.scene));
   Diagnostics problems;
   OptionTable table(options, problems);
   options.backend.rows(table);
