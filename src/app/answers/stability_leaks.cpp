@@ -5,7 +5,6 @@
 #include "app/files/chunk_log.h"
 #include "app/files/scene_input.h"
 #include "app/interrupt.h"
-#include "app/options/option_values.h"
 #include "app/options/tracer_choice.h"
 #include "app/report/report.h"
 #include "base/isa.h"

@@ -13,7 +13,6 @@
 #include "app/interrupt.h"
 #include "base/counted.h"
 #include "base/file.h"
-#include "base/hash.h"
 #include "base/json.h"
 #include "base/parallel.h"
 #include "collide/scene_timeline.h"

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "app/files/output_pattern.h"
-#include "app/help/help.h"
 #include "app/options/option_values.h"
 #include "app/options/places.h"
 #include "base/shown_text.h"

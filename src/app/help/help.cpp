@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/options/option_values.h"
 #include "base/table.h"
 #include "scene/reading/vocabulary.h"
 

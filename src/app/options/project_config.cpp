@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "app/help/help.h"
 #include "app/options/places.h"
 #include "base/beneath.h"
 #include "base/file.h"

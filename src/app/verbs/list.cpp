@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include "app/files/scene_input.h"
-#include "app/options/option_values.h"
 #include "app/report/report.h"
 #include "app/verb.h"
 #include "base/isa.h"

@@ -5,7 +5,6 @@
 #include "anim/rays.h"
 #include "app/answers/orbit_report.h"
 #include "app/files/scene_input.h"
-#include "app/options/option_values.h"
 #include "app/options/resource_limits.h"
 #include "app/options/tracer_choice.h"
 #include "app/report/report.h"
