@@ -14,38 +14,6 @@
 namespace flatray {
 namespace {
 
-// A video has one file of all frames.
-std::vector<std::string> files_of(const Work& work) {
-  std::vector<std::string> files;
-  for (const unsigned frame : work.frames)
-    if (files.empty() || !work.job->output.format().is_video())
-      files.push_back(work.job->path(frame).string());
-  return files;
-}
-
-JsonValue dry_value(const Work& work, unsigned threads) {
-  Values files;
-  for (std::string& file : files_of(work)) files.emplace_back(std::move(file));
-  const PixelBox size = work.job->picture();
-  return Fields{{"scene", work.job->scene.name},
-                {"width", size.width},
-                {"height", size.height},
-                {"files", std::move(files)},
-                {"kept", work.kept.size()},
-                {"picture_bytes", picture_bytes_at_once(*work.job, work.frames.size(), threads)}};
-}
-
-std::string dry_text(const Work& work, unsigned threads) {
-  const PixelBox size = work.job->picture();
-  const std::uint64_t bytes = picture_bytes_at_once(*work.job, work.frames.size(), threads);
-  std::string text =
-      fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
-                  work.job->scene.name, counted(work.frames.size(), "frame"), size.width,
-                  size.height, work.kept.size(), static_cast<double>(bytes) / 1e6);
-  for (const std::string& file : files_of(work)) text += file + "\n";
-  return text;
-}
-
 // What it took: counts, the same whenever it is done again by as many threads.
 JsonValue work_value(const JobResult& result) {
   const DrawCounts& drawn = result.drawn;
@@ -194,8 +162,26 @@ Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderReque
 
 VerbOutput describe(const WorkList& list) {
   VerbOutput output;
-  for (const Work& work : list.works)
-    output.add(dry_value(work, list.threads), dry_text(work, list.threads));
+  for (const auto& [job, kept, frames] : list.works) {
+    const PixelBox size = job->picture();
+    const std::uint64_t bytes = picture_bytes_at_once(*job, frames.size(), list.threads);
+    std::string text = fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
+                                   job->scene.name, counted(frames.size(), "frame"), size.width,
+                                   size.height, kept.size(), static_cast<double>(bytes) / 1e6);
+    Values files;
+    for (const unsigned frame : frames) {
+      if (!files.empty() && job->output.format().is_video()) break;  // one file of all frames
+      files.emplace_back(job->path(frame).string());
+      text += job->path(frame).string() + "\n";
+    }
+    output.add(Fields{{"scene", job->scene.name},
+                      {"width", size.width},
+                      {"height", size.height},
+                      {"files", std::move(files)},
+                      {"kept", kept.size()},
+                      {"picture_bytes", bytes}},
+               std::move(text));
+  }
   return output;
 }
 
