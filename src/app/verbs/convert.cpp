@@ -45,9 +45,7 @@ Result<VerbOutput> run(const Options& options) {
   FLATRAY_TRY(rebased, rebase_file_names(read->desc, input, folder));
   std::string text = write_toml(read->desc);
   if (output == "-") return VerbOutput{{std::move(text)}};
-  if (auto written = Outputs(options).write(output, text); !written)
-    return fail(std::move(written));
-  return VerbOutput{};
+  return Outputs(options).write(output, text).map([] { return VerbOutput{}; });
 }
 
 }  // namespace

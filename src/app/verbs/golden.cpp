@@ -93,9 +93,7 @@ Result<std::vector<GoldenRow>> chosen_rows(const fs::path& root, std::vector<Gol
 Result<std::string> check_row(const fs::path& root, const GoldenRow& row, const Outputs& outputs) {
   FLATRAY_TRY(check, check_golden(root, row));
   if (check->passes()) return std::string();
-  if (auto written = write_look(root, row, *check, outputs); !written)
-    return fail(std::move(written));
-  return golden_report(row, *check);
+  return write_look(root, row, *check, outputs).map([&] { return golden_report(row, *check); });
 }
 
 // All rows drawn and judged: reports of those that differ, and what kept others from being judged.

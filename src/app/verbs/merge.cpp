@@ -142,8 +142,7 @@ Result<VerbOutput> run(const Options& options) {
   const std::vector<std::byte> bytes =
       format.of_film != nullptr ? format.of_film(*film)
                                 : picture_of(*film, report, look(options, *film), format);
-  if (auto written = write_error(options, *film, report, outputs, bytes); !written)
-    return fail(std::move(written));
+  FLATRAY_TRY(beside, write_error(options, *film, report, outputs, bytes));
   if (auto written = outputs.write(path, bytes); !written) return fail(std::move(written));
   const LightRecord record = record_of(report);
   if (!options.has("quiet"))
