@@ -45,6 +45,19 @@ struct CommonOptions : Arguments {
 
 }  // namespace
 
+std::size_t Verb::least_operands() const {
+  const std::vector<std::string_view> shown = split(operands, ' ');
+  return static_cast<std::size_t>(std::ranges::count_if(
+      shown, [](std::string_view word) { return !word.empty() && !word.starts_with('['); }));
+}
+
+std::size_t Verb::most_operands() const {
+  constexpr std::size_t kMany = 10'000;
+  const std::string_view shown = operands;
+  if (shown.find("...") != std::string_view::npos) return kMany;
+  return hidden_operands + (shown.empty() ? 0 : split(shown, ' ').size());
+}
+
 std::vector<Option> options_of(const Verb& verb) {
   std::vector<Option> options = verb.command.options();
   OptionTable common;
@@ -95,7 +108,7 @@ Arguments parse(const Verb& verb, const std::vector<std::string>& words) {
   if (parsed.has("help")) return parsed;
   // What follows an unknown option may be its value.
   const std::size_t count =
-      parsed.problems.empty() ? parsed.operands().size() : verb.least_operands;
+      parsed.problems.empty() ? parsed.operands().size() : verb.least_operands();
   if (!verb.command.options().empty()) add_project_config(options, parsed);
   parsed.keep_one_format();
   const auto wrong = [&](std::string message) {
@@ -103,9 +116,9 @@ Arguments parse(const Verb& verb, const std::vector<std::string>& words) {
                                fmt::format("flatray {} {}", verb.name, verb.operands),
                                Trouble::usage});
   };
-  if (count < verb.least_operands) wrong(fmt::format("needs {}", verb.operands));
-  if (count > verb.most_operands)
-    wrong(fmt::format("does not take '{}'", parsed.operands()[verb.most_operands]));
+  if (count < verb.least_operands()) wrong(fmt::format("needs {}", verb.operands));
+  if (const std::size_t most = verb.most_operands(); count > most)
+    wrong(fmt::format("does not take '{}'", parsed.operands()[most]));
   check_root(verb, parsed);
   return parsed;
 }

@@ -11,15 +11,18 @@ namespace flatray {
 /// own.
 struct Verb {
   const char* name;
-  const char* operands;  ///< as shown in the usage line: "SCENE..."
+  const char* operands;  ///< as shown in the usage line, and how many: "SCENE...", "[KIND]"
   const char* summary;   ///< one line, no full stop
-  std::size_t least_operands, most_operands;
   Command command;
   const char* examples;   ///< lines of `flatray help VERB`, "" for none
   const char* undone;     ///< what a failure leaves: "nothing rendered", "" for nothing to say
   Words words = nullptr;  ///< what the first operand may be, where that is a list of names
   /// What a stopped run leaves for another to go on from; null: nothing, so it is stopped at once.
   const char* kept = nullptr;
+  std::size_t hidden_operands = 0;  ///< at most, beside those shown
+
+  std::size_t least_operands() const;
+  std::size_t most_operands() const;
 };
 
 /// Its own options and those that every verb has: --root, --sandbox where it has any,

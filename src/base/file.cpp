@@ -157,8 +157,7 @@ Result<std::string> read_file(const fs::path& path, const ReadLimits& limits) {
 }
 
 Result<std::string> read_regular_file(const fs::path& path) {
-  const Result<Descriptor> file = open_regular(path, O_RDONLY, "read", Trouble::missing);
-  if (!file) return tl::unexpected(file.error());
+  FLATRAY_TRY(file, open_regular(path, O_RDONLY, "read", Trouble::missing));
   return read_all(*file, path);
 }
 
@@ -226,16 +225,14 @@ Result<void> NewFile::take_name() {
 }
 
 Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) {
-  auto made = NewFile::write(path, bytes);
-  if (!made) return fail(std::move(made));
+  FLATRAY_TRY(made, NewFile::write(path, bytes));
   if (auto named = made->take_name(); !named) return named;
   flush_folder(folder_of(path));
   return {};
 }
 
 Result<void> flush_file(const fs::path& path) {
-  const auto file = open_regular(path, O_WRONLY, "write", Trouble::output);
-  if (!file) return tl::unexpected(file.error());
+  FLATRAY_TRY(file, open_regular(path, O_WRONLY, "write", Trouble::output));
   if (::fsync(file->get()) != 0) return cannot("write", path, errno, Trouble::output);
   return {};
 }

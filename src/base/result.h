@@ -22,4 +22,9 @@ tl::unexpected<Diagnostics> fail(Result<T>&& failed) {
   return tl::unexpected<Diagnostics>(std::move(failed).error());
 }
 
+/// Declares a Result by that name, and passes its failure on: what follows it has a value.
+#define FLATRAY_TRY(name, ...) \
+  auto name = __VA_ARGS__;     \
+  if (!(name)) return fail(std::move(name))
+
 }  // namespace flatray

@@ -182,8 +182,7 @@ Result<PartTimeline> timeline_before_trouble(const Scene& scene, std::uint64_t s
                                              unsigned last_frame) {
   PartTimeline made{Timeline(scene, seed, last_frame), last_frame, {}};
   if (!responds(scene)) return made;
-  Result<std::vector<SimulatedBody>> bodies = bodies_of(made.timeline, std::nullopt, {});
-  if (!bodies) return fail(std::move(bodies));
+  FLATRAY_TRY(bodies, bodies_of(made.timeline, std::nullopt, {}));
   if (std::all_of(bodies->begin(), bodies->end(), [](const SimulatedBody& body) {
         return body.response == Response::none || body.velocity.isZero(0);
       }))
@@ -203,8 +202,7 @@ Result<PartTimeline> timeline_before_trouble(const Scene& scene, std::uint64_t s
 }
 
 Result<Timeline> make_timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame) {
-  Result<PartTimeline> made = timeline_before_trouble(scene, seed, last_frame);
-  if (!made) return fail(std::move(made));
+  FLATRAY_TRY(made, timeline_before_trouble(scene, seed, last_frame));
   if (!made->problems.empty()) return tl::unexpected(std::move(made->problems));
   return std::move(made->timeline);
 }

@@ -149,8 +149,7 @@ Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::s
   ChunkReader reader(bytes, name);
   if (!reader.starts_as_png())
     return reader.wrong("is not a PNG", "PNG pictures are read; convert other formats first");
-  Result<Chunk> chunk = reader.next();
-  if (!chunk) return fail(std::move(chunk));
+  FLATRAY_TRY(chunk, reader.next());
   Result<PngHeader> png = header(reader, *chunk, max_pixels);
   std::string before;
   while (png && chunk->type != "IEND") {

@@ -59,8 +59,7 @@ std::span<const std::byte> with_whole_palette(std::span<const std::byte> bytes,
 
 Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& name,
                          std::uint64_t max_pixels) {
-  Result<PngHeader> png = read_png_chunks(bytes, name, max_pixels);
-  if (!png) return fail(std::move(png));
+  FLATRAY_TRY(png, read_png_chunks(bytes, name, max_pixels));
   if (png->frames > 1)
     return fail(named_place(name), fmt::format("is an animated PNG of {} frames", png->frames),
                 "give pictures of single frames");

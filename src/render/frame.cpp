@@ -13,8 +13,7 @@ Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, uns
   context.light = {options.threads, options.stop,         plan.raw_light,
                    plan.light_goal, options.light_report, plan.kept_light};
   for (const Pass* pass : plan.passes) pass->draw(context);
-  Result<std::vector<DrawItem>> items = std::move(context).sorted_items();
-  if (!items) return fail(std::move(items));
+  FLATRAY_TRY(items, std::move(context).sorted_items());
   return DrawList{film.width,
                   film.height,
                   {linear_from_srgb(background.r), linear_from_srgb(background.g),

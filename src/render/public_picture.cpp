@@ -24,14 +24,11 @@ Result<Drawn> drawn(std::string_view name, std::string_view text, unsigned frame
   if (frame < 1 || frame > kLastFrame)
     return fail(named_place(std::string(name)), fmt::format("there is no frame {}", frame),
                 fmt::format("frames run from 1 to {}", kLastFrame));
-  auto loaded = load_scene_text(std::string(name), std::string(text));
-  if (!loaded) return fail(std::move(loaded));
+  FLATRAY_TRY(loaded, load_scene_text(std::string(name), std::string(text)));
   const Scene& scene = loaded->scene;
-  const auto timeline = make_timeline(scene, scene.seed, frame);
-  if (!timeline) return tl::unexpected(timeline.error());
+  FLATRAY_TRY(timeline, make_timeline(scene, scene.seed, frame));
   const FrameOptions options{.crop = {}, .threads = std::max(1U, threads)};
-  const auto list = draw_list(make_plan(scene, false), *timeline, frame, options);
-  if (!list) return tl::unexpected(list.error());
+  FLATRAY_TRY(list, draw_list(make_plan(scene, false), *timeline, frame, options));
   return Drawn{render_image(*list, options), std::move(loaded->warnings)};
 }
 

@@ -25,8 +25,7 @@ Result<const Format*> choose_format(const SourceText& source) {
 
 Result<SceneDesc> describe(const SourcePtr& source, const std::vector<Override>& overrides,
                            Imports& imports, const LoadLimits& limits) {
-  const Result<const Format*> format = choose_format(*source);
-  if (!format) return tl::unexpected(format.error());
+  FLATRAY_TRY(format, choose_format(*source));
   Result<SceneDesc> desc = (*format)->read(source, limits);
   if (!desc) return desc;
   if (Result<void> taken = take_includes(*desc, source, imports, limits); !taken)
@@ -75,25 +74,21 @@ Result<ReadScene> read_text(std::string name, std::string text,
 Result<ReadScene> read_scene(const std::filesystem::path& path,
                              const std::vector<Override>& overrides, const LoadLimits& limits,
                              std::optional<std::uint64_t> seed) {
-  Result<std::string> text =
-      read_file(path, {limits.max_bytes, raise_max_bytes(limits.max_bytes), true});
-  if (!text) return fail(std::move(text));
+  FLATRAY_TRY(text, read_file(path, {limits.max_bytes, raise_max_bytes(limits.max_bytes), true}));
   return read_text(path.string(), std::move(*text), overrides, limits, seed);
 }
 
 Result<LoadedScene> load_scene(const std::filesystem::path& path,
                                const std::vector<Override>& overrides, const LoadLimits& limits,
                                std::optional<std::uint64_t> seed) {
-  Result<ReadScene> read = read_scene(path, overrides, limits, seed);
-  if (!read) return fail(std::move(read));
+  FLATRAY_TRY(read, read_scene(path, overrides, limits, seed));
   return std::move(read->loaded);
 }
 
 Result<LoadedScene> load_scene_text(std::string name, std::string text,
                                     const std::vector<Override>& overrides,
                                     const LoadLimits& limits, std::optional<std::uint64_t> seed) {
-  Result<ReadScene> read = read_text(std::move(name), std::move(text), overrides, limits, seed);
-  if (!read) return fail(std::move(read));
+  FLATRAY_TRY(read, read_text(std::move(name), std::move(text), overrides, limits, seed));
   return std::move(read->loaded);
 }
 

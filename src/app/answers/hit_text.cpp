@@ -49,8 +49,8 @@ std::string verdict_text(const HitReport& report) {
   return text;
 }
 
-JsonValue step_value(const HitStep& step) {
-  return Fields{
+Fields step_fields(const HitStep& step) {
+  return {
       {"edge", step.edge},
       {"numerator", step.numerator},
       {"denominator", step.denominator},
@@ -58,35 +58,6 @@ JsonValue step_value(const HitStep& step) {
       {"t_exact", step.exact_t},
       {"kind", step.kind},
       {"candidate", step.empty ? JsonValue() : Values{step.candidate.low, step.candidate.high}}};
-}
-
-Values verdict_cells(const HitReport& report) {
-  const HitInterval& hit = report.hit;
-  return {name(hit.kind),
-          hit ? JsonValue(hit.t_enter) : JsonValue(),
-          hit ? JsonValue(hit.t_exit) : JsonValue(),
-          edge_value(hit.edge_enter),
-          edge_value(hit.edge_exit),
-          name(hit.start)};
-}
-
-Values csv_row(const HitReport& report, const HitStep* step) {
-  Values row{report.ray.name, report.against};
-  if (step == nullptr) {
-    row.resize(row.size() + 7);
-  } else {
-    const Values cells{step->edge ? JsonValue(*step->edge) : "cut",
-                       step->numerator,
-                       step->denominator,
-                       step->t,
-                       step->kind,
-                       step->empty ? JsonValue() : JsonValue(step->candidate.low),
-                       step->empty ? JsonValue() : JsonValue(step->candidate.high)};
-    row.insert(row.end(), cells.begin(), cells.end());
-  }
-  const Values verdict = verdict_cells(report);
-  row.insert(row.end(), verdict.begin(), verdict.end());
-  return row;
 }
 
 }  // namespace
@@ -100,12 +71,28 @@ std::string text_of(const HitReport& report) {
   return text + verdict_text(report);
 }
 
+// Of the fields of --json those called as the columns; edges and candidates are told otherwise.
 Table csv_rows(const std::vector<HitReport>& reports) {
   Table table({"ray", "against", "edge", "numerator", "denominator", "t", "kind", "candidate_enter",
                "candidate_exit", "class", "t_enter", "t_exit", "edge_enter", "edge_exit", "start"});
   for (const HitReport& report : reports) {
-    if (report.steps.empty()) table.rows.push_back(csv_row(report, nullptr));
-    for (const HitStep& step : report.steps) table.rows.push_back(csv_row(report, &step));
+    const JsonValue of_report = as_value(report);
+    const auto add = [&](const JsonValue& of_step) {
+      Values& row = table.rows.emplace_back();
+      for (const std::string& column : table.columns) {
+        const JsonValue *a = of_step.find(column), *b = of_report.find(column);
+        row.push_back(a != nullptr ? *a : b != nullptr ? *b : JsonValue());
+      }
+    };
+    for (const HitStep& step : report.steps) {
+      Fields fields = step_fields(step);
+      if (!step.edge) fields.front().second = "cut";
+      if (!step.empty)
+        fields.insert(fields.end(), {{"candidate_enter", step.candidate.low},
+                                     {"candidate_exit", step.candidate.high}});
+      add(std::move(fields));
+    }
+    if (report.steps.empty()) add({});
   }
   return table;
 }
@@ -113,7 +100,7 @@ Table csv_rows(const std::vector<HitReport>& reports) {
 JsonValue as_value(const HitReport& report) {
   const Ray& ray = report.ray.ray;
   Values steps;
-  for (const HitStep& step : report.steps) steps.push_back(step_value(step));
+  for (const HitStep& step : report.steps) steps.push_back(step_fields(step));
   const HitInterval& hit = report.hit;
   return Fields{{"ray", report.ray.name},
                 {"origin", as_value(ray.origin)},

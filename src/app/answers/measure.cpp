@@ -56,8 +56,7 @@ Result<Drawn> draw(const RenderJob& given, const Kept& kept) {
   RenderJob job = given;
   job.keep_all = given.keep_all || kept.painting;
   const RenderPlan plan = plan_with(given, kept);
-  auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
-  if (!timeline) return fail(std::move(timeline));
+  FLATRAY_TRY(timeline, make_timeline(job.scene, job.seed, job.last_frame));
   FrameEncoder encoder(job, 1);
   Drawn out;
   for (const unsigned frame : job.frames) {
@@ -65,8 +64,7 @@ Result<Drawn> draw(const RenderJob& given, const Kept& kept) {
       out.files.push_back(out.files.front());
       continue;
     }
-    Result<const Encoded*> picture = encoder.encode(plan, *timeline, frame);
-    if (!picture) return fail(std::move(picture));
+    FLATRAY_TRY(picture, encoder.encode(plan, *timeline, frame));
     out.files.push_back((*picture)->record.bytes);
   }
   out.counts = encoder.counts();
@@ -150,10 +148,8 @@ Savings counts_of(const Drawn& some, std::size_t frames) {
 
 Result<Savings> measured_savings(const RenderJob& job) {
   const std::vector<Way> ways = ways_to_draw(job);
-  const Result<Drawn> drawn = draw(job, {});
-  if (!drawn) return tl::unexpected(drawn.error());
-  const Result<std::vector<CostRounds>> costs = costs_of(ways, *drawn);
-  if (!costs) return tl::unexpected(costs.error());
+  FLATRAY_TRY(drawn, draw(job, {}));
+  FLATRAY_TRY(costs, costs_of(ways, *drawn));
   const CostRounds &some = costs->at(0), &every = costs->at(1);
   const std::size_t frames = job.frames.size();
   Savings rows = counts_of(*drawn, frames);

@@ -26,8 +26,7 @@ struct WallTests {
 Result<Savings> measured_walls(const RenderJob& job) {
   if (!need_of_ray_walls(job.scene).needed || job.scene.field() != 0 || job.frames.empty())
     return Savings();
-  const auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
-  if (!timeline) return tl::unexpected(timeline.error());
+  FLATRAY_TRY(timeline, make_timeline(job.scene, job.seed, job.last_frame));
   const FrameState state = at(*timeline, job.frames.front());
   const RayWalls walls(job.scene, state, job.tracer);
   const std::size_t count = walls.world().surfaces.size();

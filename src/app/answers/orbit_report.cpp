@@ -144,8 +144,7 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
   OrbitReport report{name, &room.world, {}, "", false};
   const auto& walls = room.world.surfaces;
   if (request.certified) {
-    auto exact = certified_orbit(walls, start, bounces, {room.materials, request.most_bits});
-    if (!exact) return tl::unexpected(exact.error());
+    FLATRAY_TRY(exact, certified_orbit(walls, start, bounces, {room.materials, request.most_bits}));
     report.bits = exact->bits;
     report.rational = exact->rational;
     report.decided = exact->decided;

@@ -13,9 +13,9 @@ namespace flatray {
 namespace {
 
 const std::vector<std::string> kColumns = {
-    "id",     "case",         "tracer",     "queries",         "wrong",   "leaks", "apart",
-    "t_ulps", "t_ulps_99.9%", "one_by_one", "bytes_an_object", "verdict", "test"};
-constexpr std::size_t kTimes = 10;  // the column after which what was measured is shown
+    "id",     "case",         "tracer",     "queries",    "wrong",           "leaks",   "apart",
+    "t_ulps", "t_ulps_99.9%", "one_by_one", "ns_a_query", "bytes_an_object", "verdict", "test"};
+constexpr std::size_t kTimes = 10;  // the column of what was measured
 
 // To three digits; nothing of none.
 JsonValue share(double part, double all) {
@@ -54,30 +54,11 @@ Values row_of(const oracle::StiffCase& stiff, const Asked& asked, const Catalogu
           told(asked.times, tally.worst_ulps()),
           told(asked.times, tally.most_ulps()),
           told(asked.lanes, share(number(tally.one_by_one), number(tally.in_batches))),
+          share(1e9 * tally.seconds, number(tally.in_batches)),
           share(number(tally.bytes), number(tally.objects)),
           tally.right() ? "right" : "wrong",
           stiff.held_by};
 }
-
-JsonValue nanoseconds(const CatalogueTally& tally) {
-  return share(1e9 * tally.seconds, static_cast<double>(tally.in_batches));
-}
-
-// What is the same every time, and what was measured.
-struct CatalogueTables {
-  Table facts{kColumns, {}}, shown{kColumns, {}}, times{{"id", "tracer", "ns_a_query"}, {}};
-
-  CatalogueTables() { shown.columns.insert(shown.columns.begin() + kTimes, "ns_a_query"); }
-  void add(const oracle::StiffCase& stiff, const Asked& asked, const CatalogueTally& tally) {
-    add(row_of(stiff, asked, tally), nanoseconds(tally));
-  }
-  void add(Values row, const JsonValue& ns) {
-    if (ns.as_number()) times.add({row[0], row[2], ns});
-    facts.rows.push_back(row);
-    row.insert(row.begin() + kTimes, ns);
-    shown.rows.push_back(std::move(row));
-  }
-};
 
 // How many cases came out right, of those asked, and all of them together.
 struct Score {
@@ -127,7 +108,7 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
   const std::vector<oracle::StiffCase> cases = oracle::catalogue();
   const std::vector<Checked> checked = check_all(cases, request);
   const std::vector<Asked> asked = all_asked(request);
-  CatalogueTables tables;
+  Table shown(kColumns);
   std::vector<Score> scores(asked.size());
   std::size_t of_tracers = 0, of_none = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -135,12 +116,12 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
       ++of_tracers;
     else if (cases[i].contacts.empty()) {
       ++of_none;
-      tables.add(row_of_its_test(cases[i]), {});
+      shown.add(row_of_its_test(cases[i]));
     }
     for (std::size_t k = 0; k < asked.size(); ++k)
       if (const auto& tally = checked[i][k]) {
         scores[k].add(*tally);
-        tables.add(cases[i], asked[k], *tally);
+        shown.add(row_of(cases[i], asked[k], *tally));
       }
   }
   ExperimentResult result;
@@ -150,7 +131,7 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
   bool sound = true;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     if (scores[k].asked == 0) continue;
-    tables.add({"all", "", ""}, asked[k], scores[k].sum);
+    shown.add(row_of({"all", "", ""}, asked[k], scores[k].sum));
     sound = sound && (scores[k].sound() || !asked[k].decides);
     result.summary += scores[k].words(asked[k]);
   }
@@ -158,9 +139,15 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
       "ns_a_query: processor time, of tracers the least of up to {} measurements, of certified "
       "orbits one alone\n",
       kTimesOfACase);
-  result.files.push_back(csv_file("catalogue", tables.facts));
-  result.files.push_back(csv_file("catalogue_times", tables.times));
-  return stability_files(arguments, std::move(tables.shown), result, sound);
+  Table facts = shown, times({"id", "tracer", "ns_a_query"});
+  facts.columns.erase(facts.columns.begin() + kTimes);
+  for (Values& row : facts.rows) {
+    if (row[kTimes].as_number()) times.add({row[0], row[2], row[kTimes]});
+    row.erase(row.begin() + kTimes);
+  }
+  result.files.push_back(csv_file("catalogue", facts));
+  result.files.push_back(csv_file("catalogue_times", times));
+  return stability_files(arguments, std::move(shown), result, sound);
 }
 
 }  // namespace flatray

@@ -5,7 +5,6 @@
 #include "app/files/chunk_log.h"
 #include "app/files/scene_input.h"
 #include "app/interrupt.h"
-#include "app/options/option_values.h"
 #include "app/options/tracer_choice.h"
 #include "app/report/report.h"
 #include "base/isa.h"
@@ -20,8 +19,7 @@ VerbOutput stability_output(Table table, bool sound) {
 Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request) {
   const std::uint64_t blocks = (*request.leaks + kRaysALeakBlock - 1) / kRaysALeakBlock;
   const std::vector<std::string>& places = request.places;
-  auto log = LeakLog::open(arguments.text("output"), Outputs(arguments));
-  if (!log) return fail(std::move(log));
+  FLATRAY_TRY(log, LeakLog::open(arguments.text("output"), Outputs(arguments)));
   Table table({"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong",
                "first_t_off", "asked", "beside", "nothing", "through_end", "through", "invented"});
   bool sound = true;

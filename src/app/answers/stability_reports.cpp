@@ -26,8 +26,7 @@ constexpr double kNearUlps = 4, kCloseUlps = 1 << 20;
 Result<VerbOutput> stability_files(const Arguments& arguments, Table table,
                                    const ExperimentResult& result, bool sound) {
   if (const auto folder = arguments.text("output")) {
-    auto files = write_files(result, *folder, Outputs(arguments));
-    if (!files) return fail(std::move(files));
+    FLATRAY_TRY(files, write_files(result, *folder, Outputs(arguments)));
   }
   return VerbOutput{
       .text = {table, result.summary}, .table = std::move(table), .exit_code = sound ? 0 : 1};
@@ -89,12 +88,9 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
 }
 
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request) {
-  const auto scene = load_only_input(arguments, request.scene);
-  if (!scene) return tl::unexpected(scene.error());
-  if (auto straight = expect_no_field(*scene, "stability"); !straight)
-    return fail(std::move(straight));
-  if (auto unsplit = expect_no_glass(*scene, "stability"); !unsplit)
-    return fail(std::move(unsplit));
+  FLATRAY_TRY(scene, load_only_input(arguments, request.scene));
+  FLATRAY_TRY(straight, expect_no_field(*scene, "stability"));
+  FLATRAY_TRY(unsplit, expect_no_glass(*scene, "stability"));
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
   Table table({"ray", "leg", "near", "x", "y", "distance", "ulps"});
   for (const Margin& margin : all)

@@ -31,8 +31,7 @@ Result<std::unique_ptr<ExperimentMonitor>> ExperimentMonitor::open(
   const std::string key = json_text(setting);
   if (auto allowed = outputs.make_way(*kept_in, key); !allowed) return fail(std::move(allowed));
   remove_leftovers(folder_of(*kept_in));
-  auto claim = Claim::take(folder_of(*kept_in), kept_in->filename(), key, outputs.force());
-  if (!claim) return fail(std::move(claim));
+  FLATRAY_TRY(claim, Claim::take(folder_of(*kept_in), kept_in->filename(), key, outputs.force()));
   monitor->claim_.emplace(std::move(*claim));
   monitor->journal_.emplace(*kept_in, key + "\n");
   if (auto read = monitor->read(key, outputs.force()); !read) return fail(std::move(read));
@@ -40,8 +39,7 @@ Result<std::unique_ptr<ExperimentMonitor>> ExperimentMonitor::open(
 }
 
 Result<void> ExperimentMonitor::read(const std::string& key, bool force) {
-  const auto text = journal_->read();
-  if (!text) return tl::unexpected(text.error());
+  FLATRAY_TRY(text, journal_->read());
   if (text->empty()) return {};
   const std::string head = text->substr(0, text->find('\n'));
   std::string problem = head == key ? "" : "was kept by another run: " + differences(head, key);

@@ -127,10 +127,8 @@ Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::s
   if (!folder) return rows;
   const std::string head = rows.header(format.counts.size()) + "\n";
   rows.journal_.emplace(std::filesystem::path(*folder) / format.file, head);
-  if (auto allowed = outputs.make_way(rows.journal_->path(), head); !allowed)
-    return fail(std::move(allowed));
-  const auto text = rows.journal_->read();
-  if (!text) return tl::unexpected(text.error());
+  FLATRAY_TRY(allowed, outputs.make_way(rows.journal_->path(), head));
+  FLATRAY_TRY(text, rows.journal_->read());
   if (const auto now = rows.read(*text)) {
     rows.old_ = *now != *text;
     return rows;

@@ -86,8 +86,7 @@ class TallyLog {
  public:
   static Result<TallyLog> open(const std::optional<std::string>& folder,
                                const Outputs& outputs = {}) {
-    auto log = ChunkLog::open(Rows::kFormat, folder, outputs);
-    if (!log) return fail(std::move(log));
+    FLATRAY_TRY(log, ChunkLog::open(Rows::kFormat, folder, outputs));
     return TallyLog(std::move(*log));
   }
   bool has(const ChunkLog::Key& key) const { return log_.has(key); }

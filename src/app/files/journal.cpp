@@ -70,28 +70,23 @@ Result<Descriptor> Journal::lock() const {
     auto file =
         open_locked(path_, O_APPEND, [](const Descriptor& one) { return try_lock(one, LOCK_EX); });
     if (!file || !has_other_names(*file)) return file;
-    const auto text = read_all(*file, path_);
-    if (!text) return tl::unexpected(text.error());
+    FLATRAY_TRY(text, read_all(*file, path_));
     if (auto copied = write_file(path_, *text); !copied) return fail(std::move(copied));
   }
 }
 
 Result<void> Journal::merge(const Change& change) const {
-  const auto file = lock();
-  if (!file) return tl::unexpected(file.error());
-  auto text = read_all(*file, path_);
-  if (!text) return fail(std::move(text));
+  FLATRAY_TRY(file, lock());
+  FLATRAY_TRY(text, read_all(*file, path_));
   const std::size_t size = text->size();
   drop_torn_line(*text);
-  const auto changed = change(*text);
-  if (!changed) return tl::unexpected(changed.error());
+  FLATRAY_TRY(changed, change(*text));
   if (*changed == *text && text->size() == size) return {};
   return write_file(path_, *changed);
 }
 
 Result<void> Journal::add(const std::string& lines, const Step& first, Flush flush) const {
-  const auto file = lock();
-  if (!file) return tl::unexpected(file.error());
+  FLATRAY_TRY(file, lock());
   if (first)
     if (auto done = first(); !done) return done;
   struct stat status {};
@@ -99,8 +94,7 @@ Result<void> Journal::add(const std::string& lines, const Step& first, Flush flu
   if (::fstat(file->get(), &status) != 0) return cannot("read", path_, errno, Trouble::output);
   off_t size = status.st_size;
   if (size > 0 && ::pread(file->get(), &last, 1, size - 1) == 1 && last != '\n') {
-    auto text = read_all(*file, path_);
-    if (!text) return fail(std::move(text));
+    FLATRAY_TRY(text, read_all(*file, path_));
     drop_torn_line(*text);
     size = static_cast<off_t>(text->size());
     if (::ftruncate(file->get(), size) != 0) return cannot("write", path_, errno, Trouble::output);
@@ -149,8 +143,7 @@ Result<Claim> Claim::take(const fs::path& folder, const std::string& what,
     });
     if (!file) return fail(std::move(file));
     if (!planted) {
-      const auto theirs = read_all(*file, path);
-      if (!theirs) return tl::unexpected(theirs.error());
+      FLATRAY_TRY(theirs, read_all(*file, path));
       if (*theirs == setting) return Claim(path, std::move(*file));
       if (!force)
         return fail(named_place((folder / what).string()),

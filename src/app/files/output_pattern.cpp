@@ -118,8 +118,7 @@ Result<OutputPattern> OutputPattern::parse(std::string text,
   if (text.size() > kLongestPattern)
     return usage_error(where, fmt::format("the path has {} bytes", text.size()),
                        fmt::format("at most {} with its folders", kLongestPattern));
-  const auto known = format_of(text, format, where);
-  if (!known) return tl::unexpected(known.error());
+  FLATRAY_TRY(known, format_of(text, format, where));
   return OutputPattern(std::move(text), **known);
 }
 

@@ -50,8 +50,7 @@ bool are_alike(std::string_view there, std::string_view here) {
 }
 
 Result<std::string> beginning_of(const fs::path& path) {
-  const auto file = open_regular(path, O_RDONLY, "read", Trouble::output);
-  if (!file) return tl::unexpected(file.error());
+  FLATRAY_TRY(file, open_regular(path, O_RDONLY, "read", Trouble::output));
   std::string content(4096, '\0');
   const ssize_t count = ::read(file->get(), content.data(), content.size());
   content.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
@@ -89,8 +88,7 @@ Result<void> Outputs::judge(const fs::path& path, std::string_view content, bool
   } else if (ours) {
     return {};
   } else {
-    const auto there = beginning_of(path);
-    if (!there) return tl::unexpected(there.error());
+    FLATRAY_TRY(there, beginning_of(path));
     if (are_alike(*there, content)) return {};
     what = fmt::format("is there already, and nothing of the kind that is written here: {}",
                        kind_of(content).name);

@@ -37,12 +37,10 @@ Result<Values> write_files(const ExperimentResult& result, const std::filesystem
   std::set<std::string> taken;
   for (const ExperimentResult::File& file : result.files) {
     paths.push_back(folder / plain_name(file.name, taken));
-    if (auto allowed = outputs.allow(paths.back(), file.content); !allowed)
-      return fail(std::move(allowed));
+    FLATRAY_TRY(allowed, outputs.allow(paths.back(), file.content));
   }
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    auto written = outputs.write(paths[i], result.files[i].content);
-    if (!written) return fail(std::move(written));
+    FLATRAY_TRY(written, outputs.write(paths[i], result.files[i].content));
     names.emplace_back(paths[i].string());
   }
   return names;

@@ -72,8 +72,7 @@ Result<ReadScene> read_input(const SceneOptions& options, const std::string& pat
 
 Result<LoadedScene> load_input(const SceneOptions& options, const std::string& path,
                                const std::vector<Override>& more) {
-  Result<ReadScene> read = read_input(options, path, more);
-  if (!read) return fail(std::move(read));
+  FLATRAY_TRY(read, read_input(options, path, more));
   return std::move(read->loaded);
 }
 
@@ -92,14 +91,12 @@ Result<void> expect_no_glass(const Scene& scene, const std::string& what) {
 }
 
 Result<FrameState> frame_of(const SceneOptions& options, const Scene& scene, unsigned frame) {
-  const auto timeline = make_timeline(scene, options.seed_of(scene), frame);
-  if (!timeline) return tl::unexpected(timeline.error());
+  FLATRAY_TRY(timeline, make_timeline(scene, options.seed_of(scene), frame));
   return at(*timeline, frame);
 }
 
 Result<Scene> load_only_input(const Arguments& arguments, const SceneOptions& options) {
-  Result<LoadedScene> loaded = load_input(options, arguments.operands().front());
-  if (!loaded) return fail(std::move(loaded));
+  FLATRAY_TRY(loaded, load_input(options, arguments.operands().front()));
   report_warnings(loaded->warnings, arguments);
   return std::move(loaded->scene);
 }

@@ -43,8 +43,7 @@ Result<VideoFile> VideoFile::begin(const PictureFormat& format, const std::files
   ::signal(SIGCHLD, SIG_DFL);  // where it is ignored, nobody is told how a program ended
   VideoFile video(path);
   if (path == "-") return video;
-  auto file = NewFile::begin(path);
-  if (!file) return fail(std::move(file));
+  FLATRAY_TRY(file, NewFile::begin(path));
   video.file_.emplace(std::move(*file));
   if (format.by_ffmpeg.empty()) return video;
   auto program = ChildProgram::start(words_for(format), video.file_->descriptor(),

@@ -40,9 +40,8 @@ FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)(
 
 Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
   if (!list) return fail(std::move(list));
-  Result<void> drawn =
-      std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_);
-  if (!drawn) return fail(std::move(drawn));
+  FLATRAY_TRY(drawn,
+              std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_));
   keep_report();
   if (job_.renderer) return options_.stopped() ? nullptr : &out_;
   return std::visit([](const auto& drawer) { return drawer.whole(); }, drawer_) ? &out_ : nullptr;
@@ -95,8 +94,7 @@ void FrameEncoder::keep_report() {
 
 Result<const Encoded*> FrameEncoder::encode_film(const RenderPlan& plan, const Timeline& timeline,
                                                  unsigned frame) {
-  Result<std::optional<FilmFile>> film = traced_film(job_, plan, timeline, frame, options_);
-  if (!film) return fail(std::move(film));
+  FLATRAY_TRY(film, traced_film(job_, plan, timeline, frame, options_));
   if (!*film) return nullptr;
   keep(**film, all_changed);
   report_ = report_of(**film);

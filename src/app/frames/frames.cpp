@@ -30,12 +30,10 @@ Result<FrameRange> parse_range(std::string_view text, const Place& where) {
   const std::size_t colon = text.find(':');
   const std::string_view span = text.substr(0, colon);
   const std::size_t dots = span.find("..");
-  const auto first = frame_number(span.substr(0, dots), where);
-  if (!first) return tl::unexpected(first.error());
+  FLATRAY_TRY(first, frame_number(span.substr(0, dots), where));
   FrameRange range{*first, *first};
   if (dots != std::string_view::npos) {
-    const auto last = frame_number(span.substr(dots + 2), where);
-    if (!last) return tl::unexpected(last.error());
+    FLATRAY_TRY(last, frame_number(span.substr(dots + 2), where));
     range.last = *last;
   }
   if (range.last < range.first)
@@ -55,8 +53,7 @@ Result<std::vector<unsigned>> parse_frames(std::string_view text, const Place& w
   std::vector<FrameRange> ranges;
   std::uint64_t last = 0;
   for (const std::string_view part : split(text, ',')) {
-    const auto range = parse_range(part, where);
-    if (!range) return tl::unexpected(range.error());
+    FLATRAY_TRY(range, parse_range(part, where));
     ranges.push_back(*range);
     last = std::max(last, range->last);
   }

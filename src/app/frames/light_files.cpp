@@ -125,8 +125,7 @@ Result<TracedLight> light_before(const RenderJob& job, const fs::path& path,
   std::error_code ignored;
   if (!job.light.resume || job.output.is_stdout() || !fs::exists(path, ignored))
     return TracedLight{};
-  const auto film = read_film(path, kMostFilmBytes);
-  if (!film) return tl::unexpected(film.error());
+  FLATRAY_TRY(film, read_film(path, kMostFilmBytes));
   if (film->setting != setting)
     return fail(named_place(path.string()),
                 "is a film of other light: " + differences(film->setting, setting),
@@ -196,10 +195,9 @@ LightReport report_of(const FilmFile& film) {
 }
 
 Result<FilmFile> read_film(const fs::path& path, std::size_t most_bytes) {
-  const auto text = read_file(
-      path,
-      {.bytes = most_bytes, .raise = "--max-bytes N allows more", .begins = {kFilmSignature}});
-  if (!text) return tl::unexpected(text.error());
+  FLATRAY_TRY(text, read_file(path, {.bytes = most_bytes,
+                                     .raise = "--max-bytes N allows more",
+                                     .begins = {kFilmSignature}}));
   Result<FilmFile> film = decode_film(std::as_bytes(std::span(*text)), path.string());
   if (const auto wrong = film ? misfit(*film) : std::nullopt)
     return fail(named_place(path.string()), "is not a film that flatray render writes: " + *wrong,
@@ -220,8 +218,7 @@ Result<std::optional<FilmFile>> traced_film(const RenderJob& job, const RenderPl
                                             const FrameOptions& options) {
   const fs::path path = job.path(frame);
   const std::string setting = json_text(job.film_setting(frame));
-  Result<TracedLight> before = light_before(job, path, setting);
-  if (!before) return fail(std::move(before));
+  FLATRAY_TRY(before, light_before(job, path, setting));
   LightGoal goal = *plan.light_goal;
   Keeper keeper(path, setting);
   goal.told = [&](const TracedLight& light, std::optional<double> error) {

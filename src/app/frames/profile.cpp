@@ -63,8 +63,7 @@ std::optional<Way> way_of(const JsonValue& line, const Place& where) {
 }
 
 Result<Profile> read_profile(const std::string& path) {
-  auto text = read_file(path);
-  if (!text) return fail(std::move(text));
+  FLATRAY_TRY(text, read_file(path));
   const auto source = std::make_shared<const SourceText>(path, std::move(*text));
   Profile profile;
   Diagnostics problems;
@@ -181,16 +180,13 @@ void ProfileOptions::rows(OptionTable& row, LightWish& light) {
 Result<void> choose_by_profile(Arguments& arguments, const ProfileOptions& options,
                                const SceneOptions& scene) {
   if (options.file.empty()) return {};
-  const auto profile = read_profile(options.file);
-  if (!profile) return tl::unexpected(profile.error());
-  const auto loaded = load_input(scene, arguments.operands()[0]);
-  if (!loaded) return tl::unexpected(loaded.error());
+  FLATRAY_TRY(profile, read_profile(options.file));
+  FLATRAY_TRY(loaded, load_input(scene, arguments.operands()[0]));
   if (hash_of(loaded->scene) != profile->hash)
     return fail(profile->head, "is of another scene, of another state of it, or of another size",
                 "measure it as it is to be drawn: flatray accuracy SCENE --profile FILE");
-  const auto way =
-      choose(*profile, {options.error.value_or(kInfinity), options.seconds.value_or(kInfinity)});
-  if (!way) return tl::unexpected(way.error());
+  FLATRAY_TRY(way, choose(*profile, {options.error.value_or(kInfinity),
+                                     options.seconds.value_or(kInfinity)}));
   if (!arguments.has("quiet"))
     report_note(fmt::format("profile: {}, error {}{:.3g}, {:.3g} s a frame", way->words,
                             way->at_most ? "at most " : "", way->error, way->seconds));

@@ -13,7 +13,6 @@
 #include "app/interrupt.h"
 #include "base/counted.h"
 #include "base/file.h"
-#include "base/hash.h"
 #include "base/json.h"
 #include "base/parallel.h"
 #include "collide/scene_timeline.h"
@@ -95,8 +94,7 @@ class FrameMaker {
 
   // A record without frame: the frame was interrupted.
   Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
-    Result<const Encoded*> made = source_.encode(frame, encoder);
-    if (!made) return fail(std::move(made));
+    FLATRAY_TRY(made, source_.encode(frame, encoder));
     if (*made == nullptr) return FrameRecord{};
     FrameRecord record = (*made)->record;
     record.frame = frame;
@@ -114,8 +112,7 @@ class FrameMaker {
   Result<void> write(std::span<const std::byte> bytes, const FrameRecord& record) const {
     const fs::path path = job_.path(record.frame);
     if (!job_.output.has_frame()) return write_file(path, bytes);
-    Result<NewFile> file = NewFile::write(path, bytes);
-    if (!file) return fail(std::move(file));
+    FLATRAY_TRY(file, NewFile::write(path, bytes));
     const auto take_name = [&]() -> Result<void> {
       if (claim_ != nullptr)
         if (auto held = claim_->expect_held(); !held) return held;
@@ -188,8 +185,7 @@ std::optional<Diagnostic> mixture(const RenderJob& job, const Records& records) 
 Result<void> write_timings(const RenderJob& job, const JobResult& result) {
   const Journal journal(timings_path(job.folder(), job.shard));
   return journal.merge([&](const std::string& text) -> Result<std::string> {
-    const auto manifest = Journal(job.manifest()).read();
-    if (!manifest) return tl::unexpected(manifest.error());
+    FLATRAY_TRY(manifest, Journal(job.manifest()).read());
     const Records records = records_of(*manifest);
     std::map<std::string, std::string> timings;
     each_line(text, [&](std::string_view line) {
@@ -224,8 +220,7 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
   const std::string own = job.fingerprint();
   // Of films it is their frames that go on: each has the rays that are missing added.
   if (resume && job.output.has_frame() && job.output.format().of_film == nullptr) {
-    const auto text = text_of_manifests(job.folder());
-    if (!text) return tl::unexpected(text.error());
+    FLATRAY_TRY(text, text_of_manifests(job.folder()));
     each_line(*text, [&](std::string_view line) {
       const auto record = parse_manifest_line(line);
       if (record && job.makes(*record) && record->scene == own) candidates.push_back(*record);
@@ -247,15 +242,13 @@ Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& 
   for (const fs::path& list : {job.manifest(), timings_path(job.folder(), job.shard)})
     if (auto allowed = outputs.make_way(list, kFirstName); !allowed)
       return fail(std::move(allowed));
-  const auto lines = text_of_manifests(job.folder());
-  if (!lines) return tl::unexpected(lines.error());
+  FLATRAY_TRY(lines, text_of_manifests(job.folder()));
   const Records recorded = records_of(*lines);
   std::set<std::string> files;
   for (const unsigned frame : work.frames) {
     const std::string& file = *files.insert(job.path(frame).filename()).first;
-    auto allowed =
-        outputs.allow(job.path(frame), job.output.format().beginning, recorded.contains(file));
-    if (!allowed) return fail(std::move(allowed));
+    FLATRAY_TRY(allowed, outputs.allow(job.path(frame), job.output.format().beginning,
+                                       recorded.contains(file)));
   }
   auto claim = Claim::take(job.folder(), job.output.file_pattern(job.name),
                            json_text(job.setting()), outputs.force());
@@ -316,11 +309,9 @@ Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned fram
                                              unsigned threads) {
   const LightGoal goal = job.light.goal();
   const RenderPlan plan = plan_of(job, goal);
-  Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
-  if (!timeline) return fail(std::move(timeline));
+  FLATRAY_TRY(timeline, make_timeline(job.scene, job.seed, job.last_frame));
   FrameEncoder encoder(job, threads);
-  Result<const Encoded*> made = encoder.encode(plan, *timeline, frame);
-  if (!made) return fail(std::move(made));
+  FLATRAY_TRY(made, encoder.encode(plan, *timeline, frame));
   return (*made)->bytes;
 }
 

@@ -92,14 +92,11 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
     return usage_error(arguments.where("frames"),
                        fmt::format("there is no frame {} in {}", frames.back(), scene.name),
                        fmt::format("its lines are frames 1 to {}", scene.frames));
-  const auto output = output_of(request, scene.frames > 1 || frames.size() > 1);
-  if (!output) return tl::unexpected(output.error());
-  if (auto fits = check_places(arguments, *output, frames.size()); !fits)
-    return fail(std::move(fits));
+  FLATRAY_TRY(output, output_of(request, scene.frames > 1 || frames.size() > 1));
+  FLATRAY_TRY(fits, check_places(arguments, *output, frames.size()));
   std::string name;
   if (output->has_scene()) {
-    Result<std::string> plain = plain_name(scene.name);
-    if (!plain) return fail(std::move(plain));
+    FLATRAY_TRY(plain, plain_name(scene.name));
     name = std::move(*plain);
   }
   const std::uint64_t seed = request.scene.seed_of(scene);
@@ -114,8 +111,7 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
                 .keep_all = request.keep_all};
   if (request.crop) {
     const FilmSize film{job.scene.film.width, job.scene.film.height};
-    const auto crop = parse_crop(*request.crop, arguments.where("crop"), film);
-    if (!crop) return tl::unexpected(crop.error());
+    FLATRAY_TRY(crop, parse_crop(*request.crop, arguments.where("crop"), film));
     job.crop = *crop;
   }
   return job;

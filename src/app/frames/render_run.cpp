@@ -14,38 +14,6 @@
 namespace flatray {
 namespace {
 
-// A video has one file of all frames.
-std::vector<std::string> files_of(const Work& work) {
-  std::vector<std::string> files;
-  for (const unsigned frame : work.frames)
-    if (files.empty() || !work.job->output.format().is_video())
-      files.push_back(work.job->path(frame).string());
-  return files;
-}
-
-JsonValue dry_value(const Work& work, unsigned threads) {
-  Values files;
-  for (std::string& file : files_of(work)) files.emplace_back(std::move(file));
-  const PixelBox size = work.job->picture();
-  return Fields{{"scene", work.job->scene.name},
-                {"width", size.width},
-                {"height", size.height},
-                {"files", std::move(files)},
-                {"kept", work.kept.size()},
-                {"picture_bytes", picture_bytes_at_once(*work.job, work.frames.size(), threads)}};
-}
-
-std::string dry_text(const Work& work, unsigned threads) {
-  const PixelBox size = work.job->picture();
-  const std::uint64_t bytes = picture_bytes_at_once(*work.job, work.frames.size(), threads);
-  std::string text =
-      fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
-                  work.job->scene.name, counted(work.frames.size(), "frame"), size.width,
-                  size.height, work.kept.size(), static_cast<double>(bytes) / 1e6);
-  for (const std::string& file : files_of(work)) text += file + "\n";
-  return text;
-}
-
 // What it took: counts, the same whenever it is done again by as many threads.
 JsonValue work_value(const JobResult& result) {
   const DrawCounts& drawn = result.drawn;
@@ -139,8 +107,7 @@ class Run {
           return allowed;
         continue;
       }
-      auto claim = begin_work(work, outputs, warnings);
-      if (!claim) return fail(std::move(claim));
+      FLATRAY_TRY(claim, begin_work(work, outputs, warnings));
       claims_.emplace(&work, std::move(*claim));
     }
     report_warnings(warnings, arguments_);
@@ -187,21 +154,34 @@ class Run {
 Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request) {
   WorkList list{{}, request.threads()};
   for (const RenderJob& job : jobs) {
-    Result<Work> work = plan_work(job, request.resume, request.threads());
-    if (!work) return fail(std::move(work));
+    FLATRAY_TRY(work, plan_work(job, request.resume, request.threads()));
     list.works.push_back(std::move(*work));
   }
   return list;
 }
 
 VerbOutput describe(const WorkList& list) {
-  Values values;
   VerbOutput output;
-  for (const Work& work : list.works) {
-    values.push_back(dry_value(work, list.threads));
-    output.text.emplace_back(dry_text(work, list.threads));
+  for (const auto& [job, kept, frames] : list.works) {
+    const PixelBox size = job->picture();
+    const std::uint64_t bytes = picture_bytes_at_once(*job, frames.size(), list.threads);
+    std::string text = fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
+                                   job->scene.name, counted(frames.size(), "frame"), size.width,
+                                   size.height, kept.size(), static_cast<double>(bytes) / 1e6);
+    Values files;
+    for (const unsigned frame : frames) {
+      if (!files.empty() && job->output.format().is_video()) break;  // one file of all frames
+      files.emplace_back(job->path(frame).string());
+      text += job->path(frame).string() + "\n";
+    }
+    output.add(Fields{{"scene", job->scene.name},
+                      {"width", size.width},
+                      {"height", size.height},
+                      {"files", std::move(files)},
+                      {"kept", kept.size()},
+                      {"picture_bytes", bytes}},
+               std::move(text));
   }
-  output.results = std::move(values);
   return output;
 }
 

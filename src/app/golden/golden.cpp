@@ -182,8 +182,7 @@ std::string GoldenRow::look() const {
 }
 
 Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
-  const Result<std::string> text = read_file(root / kManifest);
-  if (!text) return tl::unexpected(text.error());
+  FLATRAY_TRY(text, read_file(root / kManifest));
   const std::optional<JsonValue> json = parse_json(*text);
   if (!json) return bad_manifest("is not JSON");
   const JsonValue* list = json->find("goldens");
@@ -234,8 +233,7 @@ Result<std::string> find_scene(const fs::path& root, const std::string& name) {
 std::string scene_hash(const Scene& scene) { return fmt::format("{:016x}", scene.hash); }
 
 Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row) {
-  Result<LoadedScene> loaded = load_scene(root / row.scene, {}, {.root = root});
-  if (!loaded) return fail(std::move(loaded));
+  FLATRAY_TRY(loaded, load_scene(root / row.scene, {}, {.root = root}));
   GoldenScene golden{std::move(loaded->scene), {}};
   Film& film = golden.scene.film;
   if (film.width != row.width || film.height != row.height)
@@ -260,16 +258,12 @@ Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row, un
 
 Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
                                     const std::string& backend, unsigned threads) {
-  const auto renderer = open_backend(backend, {threads, 4});
-  if (!renderer) return tl::unexpected(renderer.error());
-  const auto timeline = make_timeline(scene, row.seed, row.frame);
-  if (!timeline) return tl::unexpected(timeline.error());
+  FLATRAY_TRY(renderer, open_backend(backend, {threads, 4}));
+  FLATRAY_TRY(timeline, make_timeline(scene, row.seed, row.frame));
   GoldenPicture picture{{}, (*renderer)->description()};
-  const auto list =
-      draw_list(make_plan(scene, false), *timeline, row.frame, {std::nullopt, threads});
-  if (!list) return tl::unexpected(list.error());
-  auto drawn = (*renderer)->draw(*list, {std::nullopt, threads}, picture.image);
-  if (!drawn) return fail(std::move(drawn));
+  FLATRAY_TRY(list,
+              draw_list(make_plan(scene, false), *timeline, row.frame, {std::nullopt, threads}));
+  FLATRAY_TRY(drawn, (*renderer)->draw(*list, {std::nullopt, threads}, picture.image));
   return picture;
 }
 

@@ -33,12 +33,9 @@ GoldenCheck judge(Image actual, Image expected) {
 }
 
 Result<GoldenCheck> check_golden(const fs::path& root, const GoldenRow& row) {
-  Result<Image> expected = read_expected(root, row);
-  if (!expected) return fail(std::move(expected));
-  const Result<GoldenScene> golden = load_golden_scene(root, row);
-  if (!golden) return tl::unexpected(golden.error());
-  Result<GoldenPicture> drawn = render_golden(golden->scene, row, 1);
-  if (!drawn) return fail(std::move(drawn));
+  FLATRAY_TRY(expected, read_expected(root, row));
+  FLATRAY_TRY(golden, load_golden_scene(root, row));
+  FLATRAY_TRY(drawn, render_golden(golden->scene, row, 1));
   GoldenCheck check = judge(std::move(drawn->image), std::move(*expected));
   check.tolerance = row.tolerance;
   check.renderer = drawn->renderer;

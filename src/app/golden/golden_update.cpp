@@ -79,8 +79,7 @@ Result<Difference> measured_drift(const Scene& scene, const GoldenRow& row, cons
   if (!row.exact()) ways.insert(ways.end(), {"osmesa", "egl"});
   Difference drift;
   for (const std::string& way : ways) {
-    Result<GoldenPicture> again = render_golden(scene, row, way, 3);
-    if (!again) return fail(std::move(again));
+    FLATRAY_TRY(again, render_golden(scene, row, way, 3));
     const Difference one = compare(again->image, picture).value();
     const std::uint64_t pixels = std::max(drift.pixels, one.pixels);
     if (one.worst >= drift.worst) drift = one;
@@ -92,11 +91,9 @@ Result<Difference> measured_drift(const Scene& scene, const GoldenRow& row, cons
 Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, GoldenRow row,
                                    const std::vector<GoldenRow>& before) {
   GoldenUpdate::Picture picture;
-  Result<GoldenPicture> drawn = render_golden(scene, row, 1);
-  if (!drawn) return fail(std::move(drawn));
+  FLATRAY_TRY(drawn, render_golden(scene, row, 1));
   picture.after = std::move(drawn->image);
-  const Result<Difference> measured = measured_drift(scene, row, picture.after);
-  if (!measured) return tl::unexpected(measured.error());
+  FLATRAY_TRY(measured, measured_drift(scene, row, picture.after));
   const Difference& drift = *measured;
   if (!row.exact()) {
     row.renderer = drawn->renderer;
@@ -145,8 +142,7 @@ void paste(const Image& image, int left, Image& sheet) {
 
 Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenRow>& rows,
                                  const GoldenRequest& request) {
-  Result<LoadedScene> loaded = load_scene(root / request.scene, {}, {.root = root});
-  if (!loaded) return fail(std::move(loaded));
+  FLATRAY_TRY(loaded, load_scene(root / request.scene, {}, {.root = root}));
   Scene& scene = loaded->scene;
   const std::vector<GoldenRow> before = rows_of(rows, request);
   std::vector<GoldenRow> wanted = wanted_rows(request, before, scene);
@@ -156,8 +152,7 @@ Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenR
   limit_golden_light(scene);
   GoldenUpdate update;
   for (GoldenRow& row : wanted) {
-    Result<GoldenUpdate::Picture> picture = draw(root, scene, std::move(row), before);
-    if (!picture) return fail(std::move(picture));
+    FLATRAY_TRY(picture, draw(root, scene, std::move(row), before));
     update.rows.push_back(picture->row);
     update.pictures.push_back(std::move(*picture));
   }

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "app/files/output_pattern.h"
-#include "app/help/help.h"
 #include "app/options/option_values.h"
 #include "app/options/places.h"
 #include "base/shown_text.h"
@@ -118,7 +117,7 @@ void complete_operand(Completion& completion, const CommandLine& line, const Ver
     }
     return;
   }
-  if (line.operands.size() >= verb.most_operands) return;
+  if (line.operands.size() >= verb.most_operands()) return;
   add_values(completion, line, operand_word(verb, line.operands.size()),
              line.operands.empty() ? verb.words : nullptr);
 }

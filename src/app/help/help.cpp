@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/options/option_values.h"
 #include "base/table.h"
 #include "scene/reading/vocabulary.h"
 
@@ -118,8 +117,7 @@ std::string help_text(const Verb& verb) {
 }
 
 Result<std::string> help_page(const std::string& name) {
-  for (const Verb* verb : all_verbs())
-    if (name == verb->name) return help_text(*verb);
+  if (const Verb* verb = find_verb(name)) return help_text(*verb);
   for (const WrittenTopic& topic : written_topics())
     if (name == topic.name) return topic_text(topic);
   if (const std::vector<TableInfo> tables = tables_named(name); !tables.empty())

@@ -72,10 +72,8 @@ Result<FilmSize> parse_size(std::string_view text, const Place& where, std::uint
   const std::size_t x = text.find('x');
   if (x == std::string_view::npos)
     return usage_error(where, fmt::format("'{}' is not WIDTHxHEIGHT", text), "as 1280x720");
-  const auto width = parse_side(text.substr(0, x), "width", where, max_pixels);
-  if (!width) return tl::unexpected(width.error());
-  const auto height = parse_side(text.substr(x + 1), "height", where, max_pixels);
-  if (!height) return tl::unexpected(height.error());
+  FLATRAY_TRY(width, parse_side(text.substr(0, x), "width", where, max_pixels));
+  FLATRAY_TRY(height, parse_side(text.substr(x + 1), "height", where, max_pixels));
   if (*width > max_pixels / *height)
     return usage_error(
         where,

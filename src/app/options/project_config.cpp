@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "app/help/help.h"
 #include "app/options/places.h"
 #include "base/beneath.h"
 #include "base/file.h"
@@ -81,8 +80,7 @@ Result<std::optional<SceneDesc>> read_config(const std::filesystem::path& file) 
   if (!fs::is_regular_file(file, missing) || !path_beneath(folder_of(file), file))
     return fail(named_place(file.string()), "is not a plain file of this folder",
                 "remove it, or write options there", Trouble::missing);
-  Result<std::string> text = read_file(file, {kMostConfigBytes});
-  if (!text) return fail(std::move(text));
+  FLATRAY_TRY(text, read_file(file, {kMostConfigBytes}));
   if (text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
   return toml->read(std::make_shared<const SourceText>(file.string(), std::move(*text)), {});
 }

@@ -3,7 +3,6 @@
 #include "app/query/periodic_cell.h"
 #include "app/query/query.h"
 #include "app/report/report.h"
-#include "geom/clip_range.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
 

@@ -54,8 +54,7 @@ Result<void> LineStream::skip_line() {
   std::size_t end = std::string::npos;
   while (!ended_ && end == std::string::npos) {
     room_.clear();
-    const auto more = fill();
-    if (!more) return tl::unexpected(more.error());
+    FLATRAY_TRY(more, fill());
     ended_ = !*more;
     end = room_.find('\n');
   }
@@ -69,8 +68,7 @@ Result<std::vector<StreamLine>> LineStream::next() {
   std::size_t end = room_.rfind('\n');
   while (!ended_ && end == std::string::npos) {
     const std::size_t before = room_.size();
-    const auto more = fill();
-    if (!more) return tl::unexpected(more.error());
+    FLATRAY_TRY(more, fill());
     ended_ = !*more;
     const std::size_t last = std::string_view(room_).substr(before).rfind('\n');
     if (last != std::string_view::npos) end = before + last;

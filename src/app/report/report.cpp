@@ -83,6 +83,12 @@ bool is_null(const JsonValue& value) { return value.data.index() == 0; }
 
 }  // namespace
 
+void VerbOutput::add(JsonValue result, std::string words) {
+  if (is_null(results)) results = Values();
+  std::get<Values>(results.data).push_back(std::move(result));
+  text.emplace_back(std::move(words));
+}
+
 std::string written(const char* verb, const Arguments& arguments, VerbOutput& output) {
   if (arguments.has("json") && (output.table || !is_null(output.results))) {
     if (is_null(output.results)) output.results = *std::move(output.table);

@@ -37,6 +37,9 @@ struct VerbOutput {
   Diagnostics problems{};  ///< that end the answer: told after it, as those of a failed Result
   bool picture = false;    ///< the text is bytes of a file
   std::shared_ptr<const void> kept{};  ///< keeps alive what Table::made makes rows of
+
+  /// One more of a list of results, and its text.
+  void add(JsonValue result, std::string words);
 };
 
 /// The output in the form asked for; takes its results out of it. --json prints one object: schema

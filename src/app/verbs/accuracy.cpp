@@ -48,8 +48,7 @@ struct Options : Arguments {
 };
 
 Result<VerbOutput> run(const Options& options) {
-  const auto loaded = load_input(options.scene, options.operands()[0]);
-  if (!loaded) return tl::unexpected(loaded.error());
+  FLATRAY_TRY(loaded, load_input(options.scene, options.operands()[0]));
   report_warnings(loaded->warnings, options);
   // Before anything is measured, as nothing is measured for a file that cannot be written.
   const Outputs outputs(options);
@@ -70,12 +69,9 @@ Result<VerbOutput> run(const Options& options) {
                                 options.budget};
   const std::vector<ChoiceReport> reports = measure_choices(chosen, context);
   const ExperimentResult result = accuracy_report(loaded->scene.name, reports, picture_of(context));
-  auto files = write_files(result, options.output, outputs);
-  if (!files) return fail(std::move(files));
+  FLATRAY_TRY(files, write_files(result, options.output, outputs));
   if (!options.profile.empty()) {
-    if (auto written = outputs.write(options.profile, profile_text(loaded->scene, reports));
-        !written)
-      return fail(std::move(written));
+    FLATRAY_TRY(written, outputs.write(options.profile, profile_text(loaded->scene, reports)));
     files->emplace_back(options.profile);
   }
   Fields results = accuracy_fields(loaded->scene.name, reports);
@@ -89,8 +85,6 @@ extern const Verb accuracy = {
     "accuracy",
     "SCENE",
     "measure error against run time of every choice a scene has",
-    1,
-    1,
     kCommand<Options, &run>,
     "  flatray accuracy scenes/tutorial/11_journey.toml -o out/accuracy\n"
     "  flatray accuracy scenes/chamber/sinai.toml --choice samples,precision --budget 10s\n"

@@ -27,7 +27,6 @@ std::string facts(const Scene& scene) {
 }
 
 Result<VerbOutput> run(const Options& options) {
-  Values results;
   Diagnostics problems;
   VerbOutput output;
   for (const std::string& path : options.operands()) {
@@ -40,16 +39,14 @@ Result<VerbOutput> run(const Options& options) {
       warnings.insert(warnings.end(), unseen.begin(), unseen.end());
     }
     report_warnings(warnings, options);
-    results.push_back(Fields{{"scene", path},
-                             {"valid", errors.empty()},
-                             {"errors", as_values(errors)},
-                             {"warnings", as_values(warnings)}});
-    if (loaded && !options.has("quiet"))
-      output.text.emplace_back(
-          fmt::format("{}: valid, {}\n", shown_text(path), facts(loaded->scene)));
+    const bool told = loaded && !options.has("quiet");
+    output.add(Fields{{"scene", path},
+                      {"valid", errors.empty()},
+                      {"errors", as_values(errors)},
+                      {"warnings", as_values(warnings)}},
+               told ? fmt::format("{}: valid, {}\n", shown_text(path), facts(loaded->scene)) : "");
     problems.insert(problems.end(), errors.begin(), errors.end());
   }
-  output.results = std::move(results);
   if (!problems.empty()) output.exit_code = report_failure(problems, "");
   return output;
 }
@@ -59,8 +56,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb check = {"check",
                            "SCENE...",
                            "read scenes and report every mistake, without drawing",
-                           1,
-                           10'000,
                            kCommand<Options, &run>,
                            "  flatray check scenes/*.toml\n",
                            ""};

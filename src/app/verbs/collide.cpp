@@ -162,8 +162,7 @@ Result<VerbOutput> events(const Options& options, const Timeline& timeline, cons
   for (const std::string& entity : options.fixed)
     if (std::ranges::find(known, entity) == known.end())
       return unknown_name(options.where("fixed"), "entity", entity, known);
-  const auto bodies = bodies_of(timeline, options.response, options.fixed);
-  if (!bodies) return tl::unexpected(bodies.error());
+  FLATRAY_TRY(bodies, bodies_of(timeline, options.response, options.fixed));
   const double end = (asked.last - 1) / timeline.scene().fps;
   const Simulation done = simulate(*bodies, end, most_events(timeline.scene()));
   const Place where =
@@ -188,16 +187,14 @@ Result<VerbOutput> meetings(const Options& options, const Timeline& timeline, co
         {{options.where("method"),
           "edge-rays knows polygons only, and neither how nor where they meet", "leave it out"}},
         options);
-    const auto met = find_edge_ray_meetings(timeline, asked.last);
-    if (!met) return tl::unexpected(met.error());
+    FLATRAY_TRY(met, find_edge_ray_meetings(timeline, asked.last));
     return VerbOutput{.table = meeting_table(scene, *met, asked, Knows::times)};
   }
   const Outline outline = options.method == Method::boxes ? Outline::box : Outline::own;
   if (auto refused = refused_meetings(scene, outline)) return tl::unexpected(*std::move(refused));
   if (std::string note = left_out(scene); outline == Outline::own && !note.empty())
     report_warnings({{named_place(options.operands()[0]), std::move(note), ""}}, options);
-  const auto met = find_meetings(timeline, asked.last, outline, options.scene.limits.threads);
-  if (!met) return tl::unexpected(met.error());
+  FLATRAY_TRY(met, find_meetings(timeline, asked.last, outline, options.scene.limits.threads));
   return VerbOutput{.table = meeting_table(scene, *met, asked)};
 }
 
@@ -210,8 +207,7 @@ Result<void> check_method(const Options& options, const Scene& scene) {
 }
 
 Result<VerbOutput> run(const Options& options) {
-  const auto scene = load_only_input(options, options.scene);
-  if (!scene) return tl::unexpected(scene.error());
+  FLATRAY_TRY(scene, load_only_input(options, options.scene));
   if (options.table) return paper_tables(*scene, options.where("table"));
   if (auto checked = check_method(options, *scene); !checked) return fail(std::move(checked));
   const Asked asked = frames_asked(options, *scene);
@@ -226,8 +222,6 @@ extern const Verb collide = {
     "collide",
     "SCENE",
     "say when the entities of a scene meet, and where",
-    1,
-    1,
     kCommand<Options, &run>,
     "  flatray collide scenes/paper/case_two.toml\n"
     "  flatray collide scenes/paper/case_two.toml --table\n"

@@ -114,19 +114,16 @@ Result<Picture> read_picture(const std::string& path, bool named) {
   ReadLimits limits{.bytes = kMostPictureBytes, .pipes = named};
   for (const PictureFormat* format : picture_formats())
     if (is_read(*format)) limits.begins.push_back(format->beginning);
-  const Result<std::string> content = read_file(path, limits);
-  if (!content) return tl::unexpected(content.error());
+  FLATRAY_TRY(content, read_file(path, limits));
   const auto bytes = std::as_bytes(std::span(*content));
   const PictureFormat* format = picture_format_of(bytes);
   if (format != nullptr && format->read_light != nullptr) {
-    Result<LinearImage> light = format->read_light(bytes, path);
-    if (!light) return fail(std::move(light));
+    FLATRAY_TRY(light, format->read_light(bytes, path));
     return Picture{develop(*light), std::move(*light)};
   }
-  Result<Image> image = format != nullptr && format->read_picture != nullptr
-                            ? format->read_picture(bytes, path)
-                            : decode_png(bytes, path);
-  if (!image) return fail(std::move(image));
+  FLATRAY_TRY(image, format != nullptr && format->read_picture != nullptr
+                         ? format->read_picture(bytes, path)
+                         : decode_png(bytes, path));
   return Picture{std::move(*image), std::nullopt};
 }
 
@@ -135,8 +132,7 @@ template <class Image>
 Result<Outcome> measure(const Image& actual, const Image& expected, const Metric* metric,
                         double (*Metric::*value)(const Image&, const Image&),
                         const std::optional<fs::path>& diff, const Outputs& outputs) {
-  const Result<Difference> difference = compare(actual, expected);
-  if (!difference) return tl::unexpected(difference.error());
+  FLATRAY_TRY(difference, compare(actual, expected));
   if (diff)
     if (auto written = outputs.write(*diff, encode_png(difference_image(actual, expected)));
         !written)
@@ -150,10 +146,8 @@ Result<Outcome> measure(const Image& actual, const Image& expected, const Metric
 Result<Outcome> measure(const Pair& pair, const Metric* metric, const std::optional<fs::path>& diff,
                         const Outputs& outputs) {
   const bool named = pair.name.empty();
-  const Result<Picture> a = read_picture(pair.actual.string(), named);
-  if (!a) return tl::unexpected(a.error());
-  const Result<Picture> b = read_picture(pair.expected.string(), named);
-  if (!b) return tl::unexpected(b.error());
+  FLATRAY_TRY(a, read_picture(pair.actual.string(), named));
+  FLATRAY_TRY(b, read_picture(pair.expected.string(), named));
   std::optional<fs::path> path = diff;
   if (diff && !named) path = *diff / pair.name;
   if (path && !named && path->extension() != ".png") *path += ".png";
@@ -218,8 +212,7 @@ Result<VerbOutput> report(const std::vector<Pair>& all,
 }
 
 Result<VerbOutput> run(const Options& options) {
-  const auto all = pairs(options.operands()[0], options.operands()[1]);
-  if (!all) return tl::unexpected(all.error());
+  FLATRAY_TRY(all, pairs(options.operands()[0], options.operands()[1]));
   Outputs outputs(options);
   for (const Pair& pair : *all) {
     outputs.add_input(pair.actual);
@@ -237,8 +230,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb compare = {"compare",
                              "A.png B.png",
                              "say whether two pictures, or two folders of pictures, are equal",
-                             2,
-                             2,
                              kCommand<Options, &run>,
                              "  flatray compare out/a.png out/b.png --diff out/diff.png\n"
                              "  flatray compare out/demo out/demo_of_yesterday --metric psnr\n",

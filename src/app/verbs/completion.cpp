@@ -22,14 +22,14 @@ extern const Verb completion = {
     "completion",
     "SHELL",
     "print the script by which bash, zsh or fish completes command lines",
-    1,
-    10'000,
     kCommand<NoOptions, &run>,
     "  source <(flatray completion bash)              # in ~/.bashrc\n"
     "  source <(flatray completion zsh)               # in ~/.zshrc, after compinit\n"
     "  flatray completion fish | source               # in ~/.config/fish/config.fish\n"
     "  flatray completion words -- flatray render --  # what the scripts ask\n",
     "",
-    &completed_shells};
+    &completed_shells,
+    nullptr,
+    9'999};
 
 }  // namespace flatray::verbs

@@ -39,17 +39,13 @@ Result<VerbOutput> run(const Options& options) {
   const std::string& input = options.operands()[0];
   const fs::path output = options.operands()[1];
   if (auto checked = check_output(options, output); !checked) return fail(std::move(checked));
-  Result<ReadScene> read = read_input(options.scene, input);
-  if (!read) return fail(std::move(read));
+  FLATRAY_TRY(read, read_input(options.scene, input));
   report_warnings(read->loaded.warnings, options);
   const fs::path folder = output == "-" ? fs::path() : output.parent_path();
-  if (auto rebased = rebase_file_names(read->desc, input, folder); !rebased)
-    return fail(std::move(rebased));
+  FLATRAY_TRY(rebased, rebase_file_names(read->desc, input, folder));
   std::string text = write_toml(read->desc);
   if (output == "-") return VerbOutput{{std::move(text)}};
-  if (auto written = Outputs(options).write(output, text); !written)
-    return fail(std::move(written));
-  return VerbOutput{};
+  return Outputs(options).write(output, text).map([] { return VerbOutput{}; });
 }
 
 }  // namespace
@@ -57,8 +53,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb convert = {"convert",
                              "SCENE OUT.toml",
                              "write a scene of any format as TOML; comments are left out",
-                             2,
-                             2,
                              kCommand<Options, &run>,
                              "  flatray convert scenes/imported/castle.obj castle.toml\n"
                              "  flatray convert scene.toml - -D film.size=[64,64] > small.toml\n",

@@ -133,8 +133,7 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
                                  const std::filesystem::path& folder, Monitors& monitors) {
   SceneOptions with = options.scene;
   if (options.sweeps_seed()) with.seed.reset();
-  const auto loaded = load_input(with, options.operands()[1], more);
-  if (!loaded) return tl::unexpected(loaded.error());
+  FLATRAY_TRY(loaded, load_input(with, options.operands()[1], more));
   report_warnings(loaded->warnings, options);
   if (!options.experiment->uses.field)
     if (auto straight =
@@ -154,9 +153,8 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
   std::optional<std::filesystem::path> kept_in;
   if (options.resume) kept_in = folder / (std::string(options.experiment->name) + ".blocks");
   const std::uint64_t seed = options.sweeps_seed() ? loaded->scene.seed : options.seed;
-  auto monitor =
-      ExperimentMonitor::open(kept_in, setting_of(options, loaded->scene, seed), Outputs(options));
-  if (!monitor) return fail(std::move(monitor));
+  FLATRAY_TRY(monitor, ExperimentMonitor::open(kept_in, setting_of(options, loaded->scene, seed),
+                                               Outputs(options)));
   monitors.push_back(std::move(*monitor));
   auto result = options.experiment->run({.scene = loaded->scene,
                                          .seed = seed,
@@ -239,9 +237,8 @@ Result<VerbOutput> run(const Options& options) {
     if (auto able = can_write_hdf5(); !able) return fail(std::move(able));
   // Two that are at work in one folder, and not of the same, would replace each other's results.
   const MadeFolder made(options.folder());
-  const auto claim = Claim::take(options.folder(), experiment.name, json_text(asked_of(options)),
-                                 options.has("force"));
-  if (!claim) return tl::unexpected(claim.error());
+  FLATRAY_TRY(claim, Claim::take(options.folder(), experiment.name, json_text(asked_of(options)),
+                                 options.has("force")));
   Monitors monitors;
   if (experiment.name == std::string_view("backends")) expect_crashes_of_gl();
   auto result = measure_all(options, monitors);
@@ -257,16 +254,14 @@ Result<VerbOutput> run(const Options& options) {
   else if (options.hdf5) {
     std::string name = experiment.name;
     std::replace(name.begin(), name.end(), '-', '_');  // as files beside it are called
-    auto file = hdf5_file(name,
-                          {{"question", experiment.question},
-                           {"asked", json_text(asked_of(options))},
-                           {"version", kVersion}},
-                          *result);
-    if (!file) return tl::unexpected(file.error());
+    FLATRAY_TRY(file, hdf5_file(name,
+                                {{"question", experiment.question},
+                                 {"asked", json_text(asked_of(options))},
+                                 {"version", kVersion}},
+                                *result));
     result->files.push_back(std::move(*file));
   }
-  auto files = write_files(*result, options.folder(), Outputs(options));
-  if (!files) return fail(std::move(files));
+  FLATRAY_TRY(files, write_files(*result, options.folder(), Outputs(options)));
   const bool stopped = interrupted();
   if (stopped)
     report_note(fmt::format("flatray: {}; what was done by then is written", interruption()));
@@ -291,8 +286,6 @@ extern const Verb experiment = {
     "experiment",
     "NAME SCENE",
     "measure something of a scene and compare it with what must come out",
-    2,
-    2,
     kCommand<Options, &run>,
     "  flatray experiment mean-free-path scenes/chamber/sinai.toml -o out\n"
     "  flatray experiment lyapunov scenes/chamber/sinai.toml "

@@ -37,8 +37,7 @@ struct Options : Arguments {
 // What the rays of the first frame are traced by.
 Result<Savings> walls_of(const RenderJob& job) {
   if (!need_of_ray_walls(job.scene).needed) return ray_wall_choices(job.scene, {}, job.tracer);
-  Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
-  if (!timeline) return fail(std::move(timeline));
+  FLATRAY_TRY(timeline, make_timeline(job.scene, job.seed, job.last_frame));
   const unsigned frame = job.frames.empty() ? 1 : job.frames.front();
   return ray_wall_choices(job.scene, at(*timeline, frame), job.tracer);
 }
@@ -53,8 +52,7 @@ Result<Savings> decisions(const RenderJob& job, unsigned threads) {
                         part.reason});
   if (left_out.empty()) rows.push_back({"build", "whole", "configured with every optional part"});
   rows.insert(rows.end(), plan.choices.begin(), plan.choices.end());
-  const Result<Savings> walls = walls_of(job);
-  if (!walls) return tl::unexpected(walls.error());
+  FLATRAY_TRY(walls, walls_of(job));
   rows.insert(rows.end(), walls->begin(), walls->end());
   const std::size_t count = plan.still ? 1 : job.frames.size();
   const Spread spread = flatray::spread(job, count, threads);
@@ -76,17 +74,14 @@ Result<Savings> decisions(const RenderJob& job, unsigned threads) {
 }
 
 Result<VerbOutput> run(const Options& options) {
-  const auto jobs = make_jobs(options, options.request);
-  if (!jobs) return tl::unexpected(jobs.error());
-  Result<Savings> rows = decisions(jobs->front(), options.request.threads());
-  if (!rows) return fail(std::move(rows));
+  FLATRAY_TRY(jobs, make_jobs(options, options.request));
+  FLATRAY_TRY(rows, decisions(jobs->front(), options.request.threads()));
   if (options.measure) {
     RenderJob job = jobs->front();
     if (!options.request.frames && job.frames.size() > kMeasuredFrames)
       job.frames.resize(kMeasuredFrames);
     for (const auto measure : {&measured_savings, &measured_walls}) {
-      const auto savings = measure(job);
-      if (!savings) return tl::unexpected(savings.error());
+      FLATRAY_TRY(savings, measure(job));
       rows->insert(rows->end(), savings->begin(), savings->end());
     }
   }
@@ -100,8 +95,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb explain = {"explain",
                              "SCENE",
                              "show what a render of the scene would do and leave out, and why",
-                             1,
-                             1,
                              kCommand<Options, &run>,
                              "  flatray explain scenes/demo.toml\n"
                              "  flatray explain --measure -f 1..48 scenes/demo.toml\n",

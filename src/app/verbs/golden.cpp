@@ -91,12 +91,9 @@ Result<std::vector<GoldenRow>> chosen_rows(const fs::path& root, std::vector<Gol
 
 // The report of a row, "" if it passes; its pictures are left to look at if not.
 Result<std::string> check_row(const fs::path& root, const GoldenRow& row, const Outputs& outputs) {
-  const Result<GoldenCheck> check = check_golden(root, row);
-  if (!check) return tl::unexpected(check.error());
+  FLATRAY_TRY(check, check_golden(root, row));
   if (check->passes()) return std::string();
-  if (auto written = write_look(root, row, *check, outputs); !written)
-    return fail(std::move(written));
-  return golden_report(row, *check);
+  return write_look(root, row, *check, outputs).map([&] { return golden_report(row, *check); });
 }
 
 // All rows drawn and judged: reports of those that differ, and what kept others from being judged.
@@ -132,10 +129,8 @@ VerbOutput check_rows(const fs::path& root, const std::vector<GoldenRow>& rows, 
 
 Result<VerbOutput> check(const Options& options) {
   const fs::path root = options.root;
-  const Result<std::vector<GoldenRow>> all = read_goldens(root);
-  if (!all) return tl::unexpected(all.error());
-  const Result<std::vector<GoldenRow>> rows = chosen_rows(root, *all, options.names());
-  if (!rows) return tl::unexpected(rows.error());
+  FLATRAY_TRY(all, read_goldens(root));
+  FLATRAY_TRY(rows, chosen_rows(root, *all, options.names()));
   Diagnostics strays;
   if (options.names().empty())
     for (const std::string& file : stray_goldens(root, *all))
@@ -167,15 +162,11 @@ Result<std::vector<GoldenRow>> rows_so_far(const fs::path& root) {
 Result<VerbOutput> update(const Options& options) {
   const fs::path root = options.root;
   GoldenRequest request = options.request;
-  Result<std::string> scene = find_scene(root, options.names().front());
-  if (!scene) return fail(std::move(scene));
+  FLATRAY_TRY(scene, find_scene(root, options.names().front()));
   request.scene = *std::move(scene);
-  const Result<std::vector<GoldenRow>> rows = rows_so_far(root);
-  if (!rows) return tl::unexpected(rows.error());
-  const Result<GoldenUpdate> update = plan_update(root, *rows, request);
-  if (!update) return tl::unexpected(update.error());
-  if (auto written = write_update(root, *update, Outputs(options)); !written)
-    return fail(std::move(written));
+  FLATRAY_TRY(rows, rows_so_far(root));
+  FLATRAY_TRY(update, plan_update(root, *rows, request));
+  FLATRAY_TRY(written, write_update(root, *update, Outputs(options)));
   VerbOutput output;
   for (const GoldenUpdate::Picture& picture : update->pictures)
     output.text.emplace_back(change_text(picture));
@@ -198,8 +189,6 @@ extern const Verb golden = {
     "golden",
     "check|update [SCENE...]",
     "compare committed pictures with what the scenes draw, or accept new ones",
-    1,
-    10'000,
     kCommand<Options, &run>,
     "  flatray golden check\n"
     "  flatray golden check chamber/hall\n"

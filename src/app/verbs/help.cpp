@@ -5,8 +5,7 @@ namespace {
 
 Result<VerbOutput> run(const NoOptions& options) {
   if (options.operands().empty()) return VerbOutput{{help_text()}};
-  Result<std::string> page = help_page(options.operands().front());
-  if (!page) return fail(std::move(page));
+  FLATRAY_TRY(page, help_page(options.operands().front()));
   return VerbOutput{{std::move(*page)}};
 }
 
@@ -15,8 +14,6 @@ Result<VerbOutput> run(const NoOptions& options) {
 extern const Verb help = {"help",
                           "[TOPIC]",
                           "explain a verb, a topic, a table or a shape of scenes",
-                          0,
-                          1,
                           kCommand<NoOptions, &run>,
                           "  flatray help render\n"
                           "  flatray help frames\n"

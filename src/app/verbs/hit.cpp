@@ -54,37 +54,29 @@ struct Question {
   std::vector<NamedRay> rays;
   std::vector<std::uint32_t> against;
   Range within = kRay;
+  std::optional<std::uint32_t> from{};  // whose edges the rays are
 };
 
 Result<std::uint32_t> find_entity(const Options& options, const char* option, const Scene& scene) {
   const std::string wanted = *options.text(option);
-  std::vector<std::string> known;
-  for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
-    if (scene.entities[i].name == wanted) return i;
-    known.push_back(scene.entities[i].name);
-  }
+  const std::vector<std::string> known = names_of(scene.entities);
+  const auto found = std::ranges::find(known, wanted);
+  if (found != known.end()) return static_cast<std::uint32_t>(found - known.begin());
   return unknown_name(options.where(option), "entity of the scene", wanted, known);
 }
 
-// All entities, or the one of --against; never the one the rays come from.
-Result<std::vector<std::uint32_t>> targets(const Options& options, const Scene& scene,
-                                           std::optional<std::uint32_t> from) {
-  std::vector<std::uint32_t> entities;
-  if (options.has("against")) {
-    const auto entity = find_entity(options, "against", scene);
-    if (!entity) return tl::unexpected(entity.error());
-    return std::vector{*entity};
-  }
-  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    if (from != i) entities.push_back(i);
-  return entities;
-}
-
+// Against all entities, or the one of --against; never the one the rays come from.
 Result<Question> ask(const Options& options, const Scene& scene, std::vector<NamedRay> rays,
-                     std::optional<std::uint32_t> from) {
-  auto against = targets(options, scene, from);
-  if (!against) return fail(std::move(against));
-  return Question{std::move(rays), std::move(*against), options.within(from ? kSegment : kRay)};
+                     std::optional<std::uint32_t> from = std::nullopt) {
+  Question question{std::move(rays), {}, options.within(from ? kSegment : kRay), from};
+  if (options.has("against"))
+    return find_entity(options, "against", scene).map([&](std::uint32_t entity) {
+      question.against = {entity};
+      return question;
+    });
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
+    if (from != i) question.against.push_back(i);
+  return question;
 }
 
 // What the scene itself asks: its edge rays and its rays.
@@ -98,29 +90,20 @@ Result<std::vector<Question>> scene_questions(const Options& options, const Scen
   for (const RayState& ray : ray_states(scene, state))
     rays.push_back({scene.rays[ray.ray].name, ray.start});
   if (rays.empty()) return questions;
-  auto question = ask(options, scene, std::move(rays), std::nullopt);
-  if (!question) return fail(std::move(question));
-  questions.push_back(std::move(*question));
-  return questions;
+  return ask(options, scene, std::move(rays)).map([&](Question question) {
+    questions.push_back(std::move(question));
+    return questions;
+  });
 }
 
 Result<std::vector<Question>> read_questions(const Options& options, const Scene& scene,
                                              const FrameState& state) {
-  std::optional<std::uint32_t> from;
-  std::vector<NamedRay> rays;
-  if (options.ray) {
-    rays.push_back({"ray", *options.ray});
-  } else if (options.has("from")) {
-    const auto entity = find_entity(options, "from", scene);
-    if (!entity) return tl::unexpected(entity.error());
-    from = *entity;
-    rays = edge_rays(scene, state, *from);
-  } else {
-    return scene_questions(options, scene, state);
-  }
-  auto question = ask(options, scene, std::move(rays), from);
-  if (!question) return fail(std::move(question));
-  return std::vector{std::move(*question)};
+  const auto alone = [](Question question) { return std::vector{std::move(question)}; };
+  if (options.ray) return ask(options, scene, {{"ray", *options.ray}}).map(alone);
+  if (!options.has("from")) return scene_questions(options, scene, state);
+  return find_entity(options, "from", scene).and_then([&](std::uint32_t from) {
+    return ask(options, scene, edge_rays(scene, state, from), from).map(alone);
+  });
 }
 
 // Every entity that a question names, once, by number.
@@ -133,11 +116,11 @@ std::vector<std::uint32_t> asked_about(const std::vector<Question>& questions) {
 
 // The entities of a question for --op: those it is against, and for a difference all others then.
 std::vector<std::uint32_t> operands_of(HitOperation operation, const Question& question,
-                                       const Scene& scene, std::optional<std::uint32_t> from) {
+                                       const Scene& scene) {
   std::vector<std::uint32_t> entities = question.against;
   if (operation != HitOperation::in_first_alone) return entities;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    if (i != question.against.front() && from != i) entities.push_back(i);
+    if (i != question.against.front() && question.from != i) entities.push_back(i);
   return entities;
 }
 
@@ -154,14 +137,12 @@ tl::unexpected<Diagnostics> nothing_to_clip(const Options& options) {
 // --op: what is left of each ray, by the entities that have an inside.
 Result<VerbOutput> show_sets(const Options& options, const Scene& scene, const FrameState& state,
                              const std::vector<Question>& questions) {
-  std::optional<std::uint32_t> from;
-  if (options.has("from")) from = find_entity(options, "from", scene).value();
   std::vector<HitSet> sets;
   bool any = false;
   for (const Question& question : questions)
     for (const NamedRay& ray : question.rays) {
       std::vector<std::vector<HitReport>> by_entity;
-      for (const std::uint32_t entity : operands_of(*options.operation, question, scene, from))
+      for (const std::uint32_t entity : operands_of(*options.operation, question, scene))
         by_entity.push_back(hit_reports(scene, state, ray, entity, question.within));
       any = any ||
             std::ranges::any_of(by_entity, [](const auto& reports) { return !reports.empty(); });
@@ -169,35 +150,23 @@ Result<VerbOutput> show_sets(const Options& options, const Scene& scene, const F
     }
   if (!any) return nothing_to_clip(options);
   VerbOutput output{.table = csv_rows(sets)};
-  Values values;
-  for (const HitSet& set : sets) {
-    values.push_back(as_value(set));
-    output.text.emplace_back(text_of(set));
-  }
-  output.results = std::move(values);
+  for (const HitSet& set : sets) output.add(as_value(set), text_of(set));
   return output;
 }
 
 VerbOutput show(const std::vector<HitReport>& reports) {
   VerbOutput output{.of_all = {{"primitives", primitives_hit(reports)}},
                     .table = csv_rows(reports)};
-  Values values;
-  for (const HitReport& report : reports) {
-    values.push_back(as_value(report));
-    output.text.emplace_back((output.text.empty() ? "" : "\n") + text_of(report));
-  }
-  output.results = std::move(values);
+  for (const HitReport& report : reports)
+    output.add(as_value(report), (output.text.empty() ? "" : "\n") + text_of(report));
   return output;
 }
 
 Result<VerbOutput> run(const Options& options) {
-  const auto scene = load_only_input(options, options.scene);
-  if (!scene) return tl::unexpected(scene.error());
+  FLATRAY_TRY(scene, load_only_input(options, options.scene));
   if (auto straight = expect_no_field(*scene, "hit"); !straight) return fail(std::move(straight));
-  const auto state = frame_of(options.scene, *scene, options.frame);
-  if (!state) return tl::unexpected(state.error());
-  const auto questions = read_questions(options, *scene, *state);
-  if (!questions) return tl::unexpected(questions.error());
+  FLATRAY_TRY(state, frame_of(options.scene, *scene, options.frame));
+  FLATRAY_TRY(questions, read_questions(options, *scene, *state));
   if (options.operation) return show_sets(options, *scene, *state, *questions);
   std::vector<HitReport> reports;
   for (const Question& question : *questions)
@@ -216,8 +185,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb hit = {"hit",
                          "SCENE",
                          "show which parts of rays lie inside each shape, edge by edge",
-                         1,
-                         1,
                          kCommand<Options, &run>,
                          "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
                          "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n"

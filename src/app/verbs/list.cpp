@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include "app/files/scene_input.h"
-#include "app/options/option_values.h"
 #include "app/report/report.h"
 #include "app/verb.h"
 #include "base/isa.h"
@@ -19,28 +18,20 @@ struct Options : Arguments {
   void rows(OptionTable& row) { row(kJsonRow); }
 };
 
-template <class Entries>
-Table described(const Entries& entries) {
+// A row for each entry of `all()`, and which of its members says what it is.
+template <auto all, auto what>
+Table listed() {
   Table table({"name", "what"});
-  for (const auto* one : entries) table.add({one->name, one->summary});
-  return table;
-}
-
-Table listed(const std::vector<Listed>& entries) {
-  Table table({"name", "what"});
-  for (const Listed& one : entries) table.add({one.name, one.usage});
+  const auto entries = all();
+  const std::vector<std::string> names = names_of(entries);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    table.add({names[i], std::invoke(what, entries[i])});
   return table;
 }
 
 Table drawing_passes() {
   Table table({"name"});
   for (const Pass* one : flatray::passes()) table.add({one->name});
-  return table;
-}
-
-Table studies() {
-  Table table({"name", "what"});
-  for (const Experiment* one : flatray::experiments()) table.add({one->name, one->question});
   return table;
 }
 
@@ -55,20 +46,21 @@ struct Kind {
   const char* name;
   Table (*entries)();
 };
-constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends()); }},
-                           {"encoders", [] { return described(flatray::png_writers()); }},
-                           {"experiments", &studies},
-                           {"formats", [] { return listed(listed_formats()); }},
-                           {"isas", &isas},
-                           {"lamps", [] { return listed(listed_lamps()); }},
-                           {"materials", [] { return listed(listed_materials()); }},
-                           {"metrics", [] { return described(flatray::metrics()); }},
-                           {"passes", &drawing_passes},
-                           {"pictures", [] { return described(flatray::picture_formats()); }},
-                           {"shapes", [] { return listed(listed_shapes()); }},
-                           {"tracers", [] { return described(flatray::tracers()); }},
-                           {"views", [] { return described(flatray::views()); }},
-                           {"verbs", [] { return described(all_verbs()); }}};
+constexpr Kind kKinds[] = {
+    {"backends", &listed<&flatray::backends, &Backend::summary>},
+    {"encoders", &listed<&flatray::png_writers, &PngWriter::summary>},
+    {"experiments", &listed<&flatray::experiments, &Experiment::question>},
+    {"formats", &listed<&listed_formats, &Listed::usage>},
+    {"isas", &isas},
+    {"lamps", &listed<&listed_lamps, &Listed::usage>},
+    {"materials", &listed<&listed_materials, &Listed::usage>},
+    {"metrics", &listed<&flatray::metrics, &Metric::summary>},
+    {"passes", &drawing_passes},
+    {"pictures", &listed<&flatray::picture_formats, &PictureFormat::summary>},
+    {"shapes", &listed<&listed_shapes, &Listed::usage>},
+    {"tracers", &listed<&flatray::tracers, &Tracer::summary>},
+    {"views", &listed<&flatray::views, &View::summary>},
+    {"verbs", &listed<&all_verbs, &Verb::summary>}};
 
 std::vector<std::string> kind_names() { return names_of(kKinds); }
 
@@ -94,8 +86,6 @@ Result<VerbOutput> run(const Options& options) {
 extern const Verb list = {"list",
                           "[KIND]",
                           "show what is registered, as shapes, formats, tracers and experiments",
-                          0,
-                          1,
                           kCommand<Options, &run>,
                           "  flatray list shapes\n",
                           "",

@@ -39,8 +39,7 @@ struct Target {
   const PictureFormat* format = nullptr;
 };
 Result<Target> parse_target(const std::string& text, const Place& where) {
-  const auto output = OutputPattern::parse(text, std::nullopt, where);
-  if (!output) return tl::unexpected(output.error());
+  FLATRAY_TRY(output, OutputPattern::parse(text, std::nullopt, where));
   if (output->has_scene() || output->is_stdout())
     return usage_error(where, "is not the name of one file", "say all.film");
   if (output->format().is_video())
@@ -101,8 +100,7 @@ Result<FilmFile> merged(const Options& options) {
   const std::vector<std::string>& paths = options.operands();
   Result<FilmFile> film = read_film(paths.front(), options.max_bytes);
   for (std::size_t i = 1; film && i < paths.size(); ++i) {
-    const auto more = read_film(paths[i], options.max_bytes);
-    if (!more) return tl::unexpected(more.error());
+    FLATRAY_TRY(more, read_film(paths[i], options.max_bytes));
     if (auto added = merge_film(*film, *more, paths[i]); !added) return fail(std::move(added));
   }
   return film;
@@ -136,8 +134,7 @@ Result<void> write_error(const Options& options, const FilmFile& film, const Lig
 }
 
 Result<VerbOutput> run(const Options& options) {
-  const auto film = merged(options);
-  if (!film) return tl::unexpected(film.error());
+  FLATRAY_TRY(film, merged(options));
   const LightReport report = report_of(*film);
   const Outputs outputs(options);
   const std::filesystem::path& path = options.output.path;
@@ -145,8 +142,7 @@ Result<VerbOutput> run(const Options& options) {
   const std::vector<std::byte> bytes =
       format.of_film != nullptr ? format.of_film(*film)
                                 : picture_of(*film, report, look(options, *film), format);
-  if (auto written = write_error(options, *film, report, outputs, bytes); !written)
-    return fail(std::move(written));
+  FLATRAY_TRY(beside, write_error(options, *film, report, outputs, bytes));
   if (auto written = outputs.write(path, bytes); !written) return fail(std::move(written));
   const LightRecord record = record_of(report);
   if (!options.has("quiet"))
@@ -167,8 +163,6 @@ extern const Verb merge = {
     "merge",
     "FILE.film...",
     "add films of light, exactly and in any order, into a film or a picture",
-    1,
-    10'000,
     kCommand<Options, &run>,
     "  flatray render scene.toml --ray-shard 0/2 -o a.film    # and 1/2 elsewhere\n"
     "  flatray merge a.film b.film -o picture.png\n"

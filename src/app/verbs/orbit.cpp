@@ -5,7 +5,6 @@
 #include "anim/rays.h"
 #include "app/answers/orbit_report.h"
 #include "app/files/scene_input.h"
-#include "app/options/option_values.h"
 #include "app/options/resource_limits.h"
 #include "app/options/tracer_choice.h"
 #include "app/report/report.h"
@@ -103,13 +102,21 @@ Result<std::vector<RayState>> chosen_rays(const Options& options, const Scene& s
   return unknown_name(options.where("ray"), "ray of the scene", *wanted, known);
 }
 
+// The first of some options that asks for more than the usual.
+const char* asks_more(const Options& options, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (const std::string text = options.text(name).value_or("none");
+        text != "none" && text != "double" && text != "stop")
+      return name;
+  return nullptr;
+}
+
 // What only mirrors at rest have.
 Result<void> check_frozen(const Options& options, const std::string& ray) {
-  for (const char* option : {"precision", "tracer", "corner"})
-    if (options.has(option) && *options.text(option) != "double" && *options.text(option) != "stop")
-      return usage_error(options.where(option),
-                         "is not for rays of finite speed, as '" + ray + "' is",
-                         "leave it out, or say --speed none");
+  if (const char* option = asks_more(options, {"precision", "tracer", "corner"}))
+    return usage_error(options.where(option),
+                       "is not for rays of finite speed, as '" + ray + "' is",
+                       "leave it out, or say --speed none");
   return {};
 }
 
@@ -122,8 +129,7 @@ class MovingRoom {
     if (Diagnostics refused = refused_mirrors(scene); !refused.empty())
       return tl::unexpected(std::move(refused));
     const unsigned last = std::max(scene.frames, frame.frame);
-    const auto timeline = make_timeline(scene, options.scene.seed_of(scene), last);
-    if (!timeline) return tl::unexpected(timeline.error());
+    FLATRAY_TRY(timeline, make_timeline(scene, options.scene.seed_of(scene), last));
     return MovingRoom(moving_walls(*timeline), frame.time,
                       responds(scene) ? (last - 1) / scene.fps : kInfinity);
   }
@@ -149,10 +155,8 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
   const RayPath& ray = room.scene.rays[state.ray];
   const std::uint64_t bounces = options.bounces.value_or(ray.bounces);
   const double bytes = static_cast<double>(bounces) * sizeof(Bounce);
-  if (auto fits = expect_memory(options, bytes, fmt::format("an orbit of {} bounces", bounces),
-                                "say fewer --bounces");
-      !fits)
-    return fail(std::move(fits));
+  FLATRAY_TRY(fits, expect_memory(options, bytes, fmt::format("an orbit of {} bounces", bounces),
+                                  "say fewer --bounces"));
   const std::optional<double> speed = options.speeds.of(ray);
   if (!speed)
     return follow_orbit(room, ray.name,
@@ -160,8 +164,7 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
                         options.request(room.scene, state.ray));
   if (auto checked = check_frozen(options, ray.name); !checked) return fail(std::move(checked));
   if (!moving) {
-    auto made = MovingRoom::make(options, room.scene, frame);
-    if (!made) return fail(std::move(made));
+    FLATRAY_TRY(made, MovingRoom::make(options, room.scene, frame));
     moving = std::move(*made);
   }
   return moving->follow(room, state, *speed, bounces);
@@ -169,23 +172,16 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
 
 // What only straight flights have.
 Result<void> check_straight(const Options& options, const Scene& scene) {
-  if (scene.field() == 0) return {};
-  const std::pair<const char*, bool> asked[] = {{"precision", options.precision.certified},
-                                                {"tracer", options.precision.tracer != nullptr},
-                                                {"corner", options.corner != CornerRule::stop},
-                                                {"speed", options.speeds.speed.has_value()}};
-  for (const auto& [option, is_asked] : asked)
-    if (is_asked)
-      return usage_error(options.where(option), "is not for flights in a magnetic field",
-                         "leave it out, or say -D chamber.0.field=0");
-  return {};
+  const char* option = asks_more(options, {"precision", "tracer", "corner", "speed"});
+  if (scene.field() == 0 || option == nullptr) return {};
+  return usage_error(options.where(option), "is not for flights in a magnetic field",
+                     "leave it out, or say -D chamber.0.field=0");
 }
 
 // What glass does not split.
 Result<void> check_unsplit(const Options& options, const Scene& scene) {
-  for (const char* option : {"precision", "corner"})
-    if (options.has(option) && *options.text(option) != "double" && *options.text(option) != "stop")
-      return expect_no_glass(scene, fmt::format("--{} {}", option, *options.text(option)));
+  if (const char* option = asks_more(options, {"precision", "corner"}))
+    return expect_no_glass(scene, fmt::format("--{} {}", option, *options.text(option)));
   return {};
 }
 
@@ -201,11 +197,9 @@ struct Followed {
 };
 
 Result<void> follow(const Options& options, Followed& all) {
-  const auto rays = chosen_rays(options, all.scene, all.frame);
-  if (!rays) return tl::unexpected(rays.error());
+  FLATRAY_TRY(rays, chosen_rays(options, all.scene, all.frame));
   for (const RayState& ray : *rays) {
-    auto report = follow_ray(options, all.room, all.frame, ray, all.moving);
-    if (!report) return fail(std::move(report));
+    FLATRAY_TRY(report, follow_ray(options, all.room, all.frame, ray, all.moving));
     if (report->starts_badly)
       report_warnings({{all.scene.rays[ray.ray].where,
                         all.scene.rays[ray.ray].name + " starts " + report->start, ""}},
@@ -216,23 +210,18 @@ Result<void> follow(const Options& options, Followed& all) {
 }
 
 Result<VerbOutput> run(const Options& options) {
-  auto scene = load_only_input(options, options.scene);
-  if (!scene) return fail(std::move(scene));
+  FLATRAY_TRY(scene, load_only_input(options, options.scene));
   if (auto checked = check_straight(options, *scene); !checked) return fail(std::move(checked));
   if (auto checked = check_unsplit(options, *scene); !checked) return fail(std::move(checked));
-  auto frame = frame_of(options.scene, *scene, options.frame);
-  if (!frame) return fail(std::move(frame));
+  FLATRAY_TRY(frame, frame_of(options.scene, *scene, options.frame));
   const auto all = std::make_shared<Followed>(*std::move(scene), *std::move(frame));
   if (auto done = follow(options, *all); !done) return fail(std::move(done));
   if (options.has("svg")) return VerbOutput{{svg_of(all->room, all->reports)}};
   VerbOutput output{.table = bounce_table(all->room, all->reports), .kept = all};
-  Values values;
   for (const OrbitReport& report : all->reports) {
-    values.push_back(as_value(all->room, report));
     output.text.emplace_back(bounce_table(all->room, {&report, 1}));
-    output.text.emplace_back(status_line(all->room, report));
+    output.add(as_value(all->room, report), status_line(all->room, report));
   }
-  output.results = std::move(values);
   return output;
 }
 
@@ -242,8 +231,6 @@ extern const Verb orbit = {
     "orbit",
     "SCENE",
     "follow the rays of a scene from mirror to mirror",
-    1,
-    1,
     kCommand<Options, &run>,
     "  flatray orbit scenes/chamber/hall.toml\n"
     "  flatray orbit scenes/chamber/hall.toml --ray probe -n 100 --csv\n"

@@ -80,13 +80,12 @@ Answer answer(const StreamLine& line, const Precision& precision) {
 Result<VerbOutput> run(const Options& options) {
   if (options.precision.certified)
     if (auto able = can_certify(); !able) return tl::unexpected(able.error());
-  auto stream = LineStream::open(options.operands().empty() ? "-" : options.operands().front());
-  if (!stream) return tl::unexpected(stream.error());
+  FLATRAY_TRY(stream,
+              LineStream::open(options.operands().empty() ? "-" : options.operands().front()));
   bool sound = true;
   std::size_t lines_a_thread = kLinesAThread;
   while (true) {
-    const auto lines = stream->next();
-    if (!lines) return tl::unexpected(lines.error());
+    FLATRAY_TRY(lines, stream->next());
     if (lines->empty()) return VerbOutput{.exit_code = sound ? 0 : 1};
     for (std::span<const StreamLine> rest = *lines; !rest.empty();) {
       const std::size_t wave = std::min(rest.size(), options.threads * lines_a_thread);
@@ -107,8 +106,6 @@ extern const Verb query = {
     "query",
     "[FILE|-]",
     "answer geometry questions, one JSON object a line",
-    0,
-    1,
     kCommand<Options, &run>,
     "  echo '{\"op\":\"clip\",\"polygon\":[[0,0],[1,0],[1,1]],\"origin\":[-1,0.5],"
     "\"direction\":[1,0]}' | flatray query\n"

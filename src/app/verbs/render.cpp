@@ -30,16 +30,14 @@ Result<Vec2> read_point(std::string_view text, const std::string& view, const Pl
 
 Result<ViewRequest> parse_view(const std::string& text, const Place& where) {
   const std::string name = text.substr(0, text.find(':'));
-  const auto view = entry_called("view", views())(name, where);
-  if (!view) return tl::unexpected(view.error());
+  FLATRAY_TRY(view, entry_called("view", views())(name, where));
   ViewRequest request{*view, {0, 0}};
   const bool has_point = name.size() < text.size();
   if (has_point != (*view)->takes_point)
     return usage_error(where, has_point ? "takes no point" : "needs a point",
                        has_point ? "say " + name : fmt::format("say {}:x,y", name));
   if (!has_point) return request;
-  const auto point = read_point(std::string_view(text).substr(name.size() + 1), name, where);
-  if (!point) return tl::unexpected(point.error());
+  FLATRAY_TRY(point, read_point(std::string_view(text).substr(name.size() + 1), name, where));
   request.point = *point;
   return request;
 }
@@ -96,8 +94,7 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
   if (job.frames.empty())
     return usage_error(arguments.where("shard"), "leaves no frame for standard output",
                        "name a file, or leave out --shard");
-  const auto bytes = picture_bytes(job, job.frames.front(), threads);
-  if (!bytes) return tl::unexpected(bytes.error());
+  FLATRAY_TRY(bytes, picture_bytes(job, job.frames.front(), threads));
   return VerbOutput{
       .text = {std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size())},
       .picture = true};
@@ -138,8 +135,7 @@ Result<void> complete(const Options& options, const std::shared_ptr<const Render
 
 // What a profile chooses, as if it had been given.
 Result<Options> with_profile(Options options) {
-  if (auto chosen = choose_by_profile(options, options.profile, options.request.scene); !chosen)
-    return fail(std::move(chosen));
+  FLATRAY_TRY(chosen, choose_by_profile(options, options.profile, options.request.scene));
   Diagnostics problems;
   OptionTable table(options, problems);
   options.backend.rows(table);
@@ -150,21 +146,17 @@ Result<Options> with_profile(Options options) {
 }
 
 Result<VerbOutput> run(const Options& given) {
-  const auto chosen = with_profile(given);
-  if (!chosen) return tl::unexpected(chosen.error());
+  FLATRAY_TRY(chosen, with_profile(given));
   const Options& options = *chosen;
   const RenderRequest& request = options.request;
-  auto jobs = make_jobs(options, request);
-  if (!jobs) return tl::unexpected(jobs.error());
+  FLATRAY_TRY(jobs, make_jobs(options, request));
   for (const RenderJob& job : *jobs)
     if (auto able = can_draw(job.scene, left_out_of_build()); !able) return fail(std::move(able));
-  const auto renderer = chosen_renderer(options.backend, request.threads());
-  if (!renderer) return tl::unexpected(renderer.error());
+  FLATRAY_TRY(renderer, chosen_renderer(options.backend, request.threads()));
   for (RenderJob& job : *jobs)
     if (auto completed = complete(options, *renderer, job); !completed)
       return fail(std::move(completed));
-  const auto list = work_list(*jobs, request);
-  if (!list) return tl::unexpected(list.error());
+  FLATRAY_TRY(list, work_list(*jobs, request));
   if (options.dry_run) return describe(*list);
   const RenderJob& first = jobs->front();
   if (first.output.is_stdout() && options.has("json"))
@@ -181,8 +173,6 @@ extern const Verb render = {
     "render",
     "SCENE...",
     "draw frames of scenes into picture files",
-    1,
-    10'000,
     kCommand<Options, &run>,
     "  flatray render scenes/demo.toml\n"
     "  flatray render scene.toml -f 3 -o hall.png\n"

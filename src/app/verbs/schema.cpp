@@ -14,8 +14,6 @@ Result<VerbOutput> run(const NoOptions&) {
 extern const Verb schema = {"schema",
                             "",
                             "print the JSON Schema of scenes, by which editors check and complete",
-                            0,
-                            0,
                             kCommand<NoOptions, &run>,
                             "  flatray schema > scene.schema.json\n"
                             "  first line of a scene, for Even Better TOML and taplo:\n"

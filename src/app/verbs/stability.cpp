@@ -5,7 +5,6 @@
 #include "app/answers/stability_reports.h"
 #include "app/files/chunk_log.h"
 #include "app/files/scene_input.h"
-#include "app/options/option_values.h"
 #include "app/options/tracer_choice.h"
 #include "app/report/report.h"
 #include "app/verb.h"
@@ -37,12 +36,10 @@ std::vector<const Tracer*> exact_tracers() {
 }
 
 Result<std::vector<const Tracer*>> tracers_called(const std::string& text, const Place& where) {
-  const auto names = chosen_names(text, where, "tracer", tracer_names());
-  if (!names) return tl::unexpected(names.error());
+  FLATRAY_TRY(names, chosen_names(text, where, "tracer", tracer_names()));
   std::vector<const Tracer*> chosen;
   for (const std::string& name : *names) {
-    const auto tracer = usable_tracer(name, where);
-    if (!tracer) return tl::unexpected(tracer.error());
+    FLATRAY_TRY(tracer, usable_tracer(name, where));
     chosen.push_back(*tracer);
   }
   return chosen;
@@ -129,8 +126,7 @@ std::vector<ChunkLog::Key> keys_of(const Options& options, const std::string& fa
 
 Result<VerbOutput> run_pairs(const Options& options) {
   const std::uint64_t chunks = (*options.pairs + kPairsAChunk - 1) / kPairsAChunk;
-  auto log = StabilityLog::open(options.text("output"), Outputs(options));
-  if (!log) return fail(std::move(log));
+  FLATRAY_TRY(log, StabilityLog::open(options.text("output"), Outputs(options)));
   Table table({"family", "method", "pairs", "meet", "wrong", "missed", "invented", "other_class",
                "t_not_nearest_or_wide", "t_off", "first_wrong"});
   std::uint64_t wrong = 0;
@@ -182,8 +178,7 @@ JsonValue known(const StabilityTally& tally, std::uint64_t ulps) {
 }
 
 Result<VerbOutput> run_families(const Options& options) {
-  auto log = StabilityLog::open(options.text("output"), Outputs(options));
-  if (!log) return fail(std::move(log));
+  FLATRAY_TRY(log, StabilityLog::open(options.text("output"), Outputs(options)));
   Table table({"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
                "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one", "ns_a_query",
                "ns_of_chunks", "bytes_an_object", "first_wrong"});
@@ -229,8 +224,6 @@ extern const Verb stability = {
     "stability",
     "[SCENE]",
     "compare tracers and contacts with exact arithmetic on inputs made to be hard",
-    0,
-    1,
     kCommand<Options, &run>,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"

@@ -61,29 +61,27 @@ class FolderCheck {
     return {};
   }
 
-  bool sound() const { return findings_.empty(); }
-
-  std::string text() const {
+  void add_to(VerbOutput& output) const {
     std::string text;
-    for (const Diagnostic& one : findings_) text += fmt::format("{}: {}\n", name(one), one.message);
-    return text + fmt::format("{}: {}, {}\n", folder_.string(),
-                              counted(records_.size() + rows_, "record"),
-                              sound() ? "all as recorded"
-                                      : counted(findings_.size(), "thing") + " not as recorded");
-  }
-
-  JsonValue value() const {
     Values problems;
-    for (const Diagnostic& one : findings_)
-      problems.push_back(Fields{{"file", name(one)}, {"problem", one.message}});
-    return Fields{{"folder", folder_.string()},
-                  {"sound", sound()},
-                  {"records", records_.size() + rows_},
-                  {"problems", std::move(problems)}};
+    for (const Diagnostic& one : findings_) {
+      const std::string& file = one.where.source->name();
+      text += fmt::format("{}: {}\n", file, one.message);
+      problems.push_back(Fields{{"file", file}, {"problem", one.message}});
+    }
+    const bool sound = findings_.empty();
+    text += fmt::format(
+        "{}: {}, {}\n", folder_.string(), counted(records_.size() + rows_, "record"),
+        sound ? "all as recorded" : counted(findings_.size(), "thing") + " not as recorded");
+    output.add(Fields{{"folder", folder_.string()},
+                      {"sound", sound},
+                      {"records", records_.size() + rows_},
+                      {"problems", std::move(problems)}},
+               std::move(text));
+    if (!sound) output.exit_code = 1;
   }
 
  private:
-  static const std::string& name(const Diagnostic& one) { return one.where.source->name(); }
   void tell(const fs::path& file, std::string problem) {
     findings_.push_back({named_place(file.string()), std::move(problem), ""});
   }
@@ -178,15 +176,11 @@ class FolderCheck {
 
 Result<VerbOutput> run(const Options& options) {
   VerbOutput output;
-  Values values;
   for (const std::string& folder : options.operands()) {
     FolderCheck check(folder, options.threads);
     if (auto done = check.run(); !done) return fail(std::move(done));
-    output.text.emplace_back(check.text());
-    values.push_back(check.value());
-    if (!check.sound()) output.exit_code = 1;
+    check.add_to(output);
   }
-  output.results = std::move(values);
   return output;
 }
 
@@ -196,8 +190,6 @@ extern const Verb verify = {
     "verify",
     "FOLDER...",
     "say whether frames, blocks and rows in a folder are as their records say; writes nothing",
-    1,
-    10'000,
     kCommand<Options, &run>,
     "  flatray verify out/demo\n"
     "  flatray verify out/demo --json | jq '.results[].problems'\n",

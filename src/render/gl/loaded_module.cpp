@@ -30,8 +30,7 @@ Result<const FlatrayGlModule*> find_module() {
 
 Result<std::unique_ptr<LoadedModule>> LoadedModule::open(const std::string& maker,
                                                          unsigned threads) {
-  const Result<const FlatrayGlModule*> module = find_module();
-  if (!module) return tl::unexpected(module.error());
+  FLATRAY_TRY(module, find_module());
   std::vector<std::string> makers = {maker};
   if (maker == "gl") makers = {"osmesa", "egl"};
   Diagnostics problems;
@@ -72,8 +71,7 @@ Result<FlatrayGlContext*> LoadedModule::take() {
 }
 
 Result<void> LoadedModule::draw(const FlatrayGlTile& tile) {
-  const Result<FlatrayGlContext*> context = take();
-  if (!context) return tl::unexpected(context.error());
+  FLATRAY_TRY(context, take());
   FlatrayGlError error{};
   const bool drawn = module_.draw(*context, &tile, &error) != 0;
   {

@@ -126,8 +126,7 @@ class GlRenderer final : public Renderer {
 
 Result<std::unique_ptr<Renderer>> open_renderer(const char* maker, const BackendChoice& choice) {
   // Several frames at a time keep the cores busy; one at a time leaves the others to Mesa.
-  Result<std::unique_ptr<LoadedModule>> module = LoadedModule::open(maker, choice.threads);
-  if (!module) return fail(std::move(module));
+  FLATRAY_TRY(module, LoadedModule::open(maker, choice.threads));
   return std::make_unique<GlRenderer>(std::move(*module), choice.samples);
 }
 

@@ -26,8 +26,7 @@ class HillReader {
 
   Result<SceneDesc> read() {
     const Place whole{source_, 0, 1};
-    const auto count = whole_number("how many pillars", 1, limits_.max_entities, "--max-entities");
-    if (!count) return tl::unexpected(count.error());
+    FLATRAY_TRY(count, whole_number("how many pillars", 1, limits_.max_entities, "--max-entities"));
     for (int i = 0; i < *count; ++i)
       if (auto read = read_pillar(i); !read) return fail(std::move(read));
     if (const std::string_view more = next(); !more.empty())
@@ -71,8 +70,7 @@ class HillReader {
   Result<int> whole_number(const char* what, int low, std::uint64_t high, const char* raise) {
     constexpr std::uint64_t kMost = std::numeric_limits<int>::max();
     const std::uint64_t most = std::min(high, kMost);
-    const auto found = number(what);
-    if (!found) return tl::unexpected(found.error());
+    FLATRAY_TRY(found, number(what));
     if (!(found->value >= low) || found->value != std::floor(found->value))
       return fail(found->where, fmt::format("{} must be a whole number, {} or more", what, low),
                   kHint);
@@ -87,8 +85,7 @@ class HillReader {
     std::string text = "#";
     Place where;
     for (const char* part : {"red", "green", "blue"}) {
-      const auto found = number(part);
-      if (!found) return tl::unexpected(found.error());
+      FLATRAY_TRY(found, number(part));
       if (!(found->value >= 0 && found->value <= 1))
         return fail(found->where, fmt::format("{} must be from 0 to 1", part), kHint);
       text += fmt::format("{:02x}", static_cast<int>(found->value * 255 + 0.5));
@@ -98,17 +95,14 @@ class HillReader {
   }
 
   Result<void> read_pillar(int index) {
-    const auto sides = whole_number("sides", 3, limits_.max_corners, "--max-corners");
-    if (!sides) return tl::unexpected(sides.error());
-    auto paint = colour();
-    if (!paint) return tl::unexpected(paint.error());
+    FLATRAY_TRY(sides, whole_number("sides", 3, limits_.max_corners, "--max-corners"));
+    FLATRAY_TRY(paint, colour());
     const Place where = paint->where;
     std::vector<Value> points;
     for (int i = 0; i < *sides; ++i) {
       std::vector<Value> pair;
       for (const char* axis : {"x", "y"}) {
-        const auto found = number(axis);
-        if (!found) return tl::unexpected(found.error());
+        FLATRAY_TRY(found, number(axis));
         pair.push_back({Value::Kind::number, found->where, {}, {}, {}});
         if (index == 0) middle_[axis[0] == 'x' ? 0 : 1] += found->value / *sides;
       }

@@ -30,8 +30,7 @@ Result<SceneDesc> read(const SourcePtr& source, const LoadLimits& limits) {
   Diagnostics warnings, problems;
   std::uint64_t objects = 0;
   for (const auto& [begin, end] : scenes_in(source)) {
-    const Result<Value> value = json_value(source, begin, end);
-    if (!value) return tl::unexpected(value.error());
+    FLATRAY_TRY(value, json_value(source, begin, end));
     Result<HqzScene> scene = read_hqz_scene(*value, limits, warnings);
     if (!scene) {
       for (Diagnostic& one : scene.error()) problems.push_back(std::move(one));

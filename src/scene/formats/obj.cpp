@@ -96,8 +96,7 @@ void warn(const ShapeMaker& maker, const ObjText& obj, const SourcePtr& source,
 
 Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,
                       Diagnostics& warnings) {
-  Result<ObjText> obj = parse_obj(source, options.threads);
-  if (!obj) return fail(std::move(obj));
+  FLATRAY_TRY(obj, parse_obj(source, options.threads));
   const Place file = named_place(source->name());
   if (const std::size_t far = lay(obj->vertices, options); far < obj->vertices.size())
     return fail(obj_record_place(source, "v", far), "this vertex comes to lie beyond 1e300",

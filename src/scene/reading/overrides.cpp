@@ -65,8 +65,7 @@ Result<Value*> part(Value& whole, const Member& step) {
 // Follows the one chain of keys in `step` down `target` and puts its value there.
 Result<void> put(Value* target, const Member* step) {
   for (;;) {
-    Result<Value*> next = part(*target, *step);
-    if (!next) return fail(std::move(next));
+    FLATRAY_TRY(next, part(*target, *step));
     target = *next;
     if (!is_part_of_key(step->value)) break;
     step = &step->value.members.front();

@@ -14,8 +14,7 @@ Result<Shape> build(Args& args) {
   const Vec2 centre = args.point("centre");
   const double radius = args.size("radius");
   const bool chord = args.flag("chord");
-  const Result<EllipseArc> arc = circular_arc(args, centre, radius);
-  if (!arc) return tl::unexpected(arc.error());
+  FLATRAY_TRY(arc, circular_arc(args, centre, radius));
   return shape_of(ArcPath{{*arc}, chord});
 }
 

@@ -29,10 +29,8 @@ Result<Shape> build(Args& args) {
                                args.imports().threads()};
   if (options.scale == 0)
     return fail(args.place("scale"), "a scale of 0 leaves nothing", "write another number");
-  const Result<const Format*> format = outline_format(args, file);
-  if (!format) return tl::unexpected(format.error());
-  Result<SourcePtr> source = args.imports().open(file, args.place("file"));
-  if (!source) return fail(std::move(source));
+  FLATRAY_TRY(format, outline_format(args, file));
+  FLATRAY_TRY(source, args.imports().open(file, args.place("file")));
   Diagnostics warnings;
   Result<Shape> shape = (*format)->outline(*source, options, warnings);
   args.warnings(std::move(warnings));

@@ -175,8 +175,7 @@ unsigned middle_frame(const Scene& scene) { return (scene.frames + 1) / 2; }
 
 Result<DrawList> middle_list(const AccuracyContext& context) {
   const unsigned frame = middle_frame(context.scene);
-  const auto timeline = make_timeline(context.scene, context.seed, frame);
-  if (!timeline) return tl::unexpected(timeline.error());
+  FLATRAY_TRY(timeline, make_timeline(context.scene, context.seed, frame));
   return draw_list(make_plan(context.scene, false), *timeline, frame);
 }
 

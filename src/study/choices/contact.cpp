@@ -22,8 +22,7 @@ Setting setting(const std::shared_ptr<PairScene>& scene, const char* name, Metho
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  const auto scene = pair_scene(context);
-  if (!scene) return tl::unexpected(scene.error());
+  FLATRAY_TRY(scene, pair_scene(context));
   ChoiceSettings made = pair_settings(**scene);
   made.laws = {};
   if (!refused_meetings(context.scene, Outline::box))

@@ -113,8 +113,7 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  auto list = middle_list(context);
-  if (!list) return tl::unexpected(list.error());
+  FLATRAY_TRY(list, middle_list(context));
   const auto film = std::make_shared<Film>();
   film->list = std::move(*list);
   film->threads = context.threads;

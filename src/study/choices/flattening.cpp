@@ -84,8 +84,7 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  auto list = middle_list(context);
-  if (!list) return tl::unexpected(list.error());
+  FLATRAY_TRY(list, middle_list(context));
   const auto curves = std::make_shared<Curves>();
   curves->list = std::move(*list);
   curves->threads = context.threads;

@@ -41,8 +41,7 @@ Setting continuous(const std::shared_ptr<PairScene>& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  const auto scene = pair_scene(context);
-  if (!scene) return tl::unexpected(scene.error());
+  FLATRAY_TRY(scene, pair_scene(context));
   ChoiceSettings made = pair_settings(**scene);
   made.grows = "instants a frame";
   made.settings.push_back(continuous(*scene));

@@ -26,15 +26,12 @@ class Study {
         backends, [](const Backend* one) { return std::string_view(one->name) == kBackend; });
     if (found == backends.end())
       return fail({}, "this build has no GL back end", "", Trouble::unavailable);
-    const auto renderer = (*found)->open({context_.threads, samples});
-    if (!renderer) return tl::unexpected(renderer.error());
+    FLATRAY_TRY(renderer, (*found)->open({context_.threads, samples}));
     opened_.push_back((*renderer)->description());
     const unsigned last = context_.scene.frames;
-    const auto timeline = make_timeline(context_.scene, context_.scene.seed, last);
-    if (!timeline) return tl::unexpected(timeline.error());
+    FLATRAY_TRY(timeline, make_timeline(context_.scene, context_.scene.seed, last));
     for (const unsigned frame : std::set<unsigned>{1, (last + 1) / 2, last}) {
-      const auto list = draw_list(plan_, *timeline, frame);
-      if (!list) return tl::unexpected(list.error());
+      FLATRAY_TRY(list, draw_list(plan_, *timeline, frame));
       if (auto added = add(**renderer, samples, *list, frame); !added) return added;
     }
     return {};

@@ -5,7 +5,6 @@
 
 #include "base/counted.h"
 #include "base/portable_math.h"
-#include "geom/predicates.h"
 #include "study/plots/line_density.h"
 #include "study/plots/plot.h"
 #include "study/rooms/scene_orbits.h"
@@ -116,8 +115,7 @@ Plot plot_of(const Room& room, const LineDensity& density) {
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  const auto watched = orbits_to_watch(context, room, 1);
-  if (!watched) return tl::unexpected(watched.error());
+  FLATRAY_TRY(watched, orbits_to_watch(context, room, 1));
   const bool elliptic = room.walls().size() == 1 && room.walls().arcs.size() == 1 &&
                         room.walls().arcs.front().extent == Arc::Extent::whole;
   const bool round = elliptic && circle_along(room.walls().arcs.front());

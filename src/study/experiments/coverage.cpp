@@ -4,7 +4,6 @@
 
 #include "base/counted.h"
 #include "study/plots/line_density.h"
-#include "study/plots/palette.h"
 #include "study/plots/plot.h"
 #include "study/rooms/scene_orbits.h"
 #include "study/statistics/blocks.h"
@@ -84,8 +83,7 @@ class Crossed : public OrbitSink {
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  const auto watched = orbits_to_watch(context, room, 1);
-  if (!watched) return tl::unexpected(watched.error());
+  FLATRAY_TRY(watched, orbits_to_watch(context, room, 1));
   const Grid grid = grid_of(room);
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   auto found = run_blocks(context, watched->starts.size(), [&](std::size_t i) {

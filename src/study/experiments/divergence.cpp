@@ -35,10 +35,8 @@ Result<Trio> trace(const Room& room, const Ray& start, std::uint64_t bounces, do
                 fmt::format("{:.17g} is less than doubles tell at the start", apart),
                 "say a larger one, as 1e-9", Trouble::usage);
   const CertifiedRules rules{room.materials()};
-  auto exact = certified_orbit(room.walls(), start, bounces, rules);
-  if (!exact) return tl::unexpected(exact.error());
-  auto beside = certified_orbit(room.walls(), moved, bounces, rules);
-  if (!beside) return tl::unexpected(beside.error());
+  FLATRAY_TRY(exact, certified_orbit(room.walls(), start, bounces, rules));
+  FLATRAY_TRY(beside, certified_orbit(room.walls(), moved, bounces, rules));
   return Trio{std::move(*exact), std::move(*beside),
               trace_orbit(room.walls(), room.materials(), start, bounces)};
 }
@@ -167,8 +165,7 @@ class Study {
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  const auto watched = orbits_to_watch(context, room, kRandomOrbits);
-  if (!watched) return tl::unexpected(watched.error());
+  FLATRAY_TRY(watched, orbits_to_watch(context, room, kRandomOrbits));
   std::vector<std::optional<Result<Trio>>> trios(watched->starts.size());
   parallel_for(trios.size(), context.threads, [&](std::size_t i) {
     const Ray start = watched->random ? half_way(room, watched->starts[i]) : watched->starts[i].ray;

@@ -205,8 +205,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const PlaceStarts places(context, room, PixelMap::angle);
   std::optional<ConditionalStarts> conditional;
   if (context.starts == Starts::conditional) {
-    auto found = ConditionalStarts::draw(context, room, bounces);
-    if (!found) return tl::unexpected(found.error());
+    FLATRAY_TRY(found, ConditionalStarts::draw(context, room, bounces));
     conditional = std::move(*found);
   }
   const auto start = [&](std::uint64_t i) -> std::optional<OrbitStart> {
@@ -215,8 +214,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     if (holes) return room.draw_start(context.seed, i - count, context.starts);
     return places[drawn_place(context.seed, i - count)];
   };
-  const auto all = trace_outcomes(context, room, bounces, count + context.count, count, start);
-  if (!all) return tl::unexpected(all.error());
+  FLATRAY_TRY(all, trace_outcomes(context, room, bounces, count + context.count, count, start));
   const std::span<const PixelOutcome> outcomes(*all);
   const std::vector<OrbitStart> audited =
       audited_starts(context, context.count, [&](std::uint64_t i) { return start(count + i); });

@@ -167,8 +167,7 @@ Result<void> expect_rest(const Scene& scene, std::span<const SimulatedBody> bodi
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto bounces = expect_bounces(context.scene); !bounces) return fail(std::move(bounces));
   const Timeline timeline(context.scene, context.seed, 1);
-  const auto bodies = gas_bodies(timeline);
-  if (!bodies) return tl::unexpected(bodies.error());
+  FLATRAY_TRY(bodies, gas_bodies(timeline));
   if (auto rest = expect_rest(context.scene, *bodies); !rest) return fail(std::move(rest));
   const Simulation done = simulate(*bodies, kEnd, context.count);
   if (done.events.empty())

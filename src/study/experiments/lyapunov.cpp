@@ -209,8 +209,7 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  const auto plan = plan_orbits(context, kBounces + kSettling);
-  if (!plan) return tl::unexpected(plan.error());
+  FLATRAY_TRY(plan, plan_orbits(context, kBounces + kSettling));
   if (plan->bounces < 2 * kSettling)
     return fail(named_place("--bounces"),
                 "too few for an exponent: " + counted(plan->bounces, "bounce") + " an orbit",

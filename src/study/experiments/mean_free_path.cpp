@@ -98,10 +98,8 @@ void withhold_what_is_too_coarse(Measure& path, double most_off) {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  const auto area = area_of_flights(room);
-  if (!area) return tl::unexpected(area.error());
-  const auto plan = plan_orbits(context, kBounces);
-  if (!plan) return tl::unexpected(plan.error());
+  FLATRAY_TRY(area, area_of_flights(room));
+  FLATRAY_TRY(plan, plan_orbits(context, kBounces));
   const double expected = kPi * *area / room.perimeter();
   FlightSums all{StartSums(context.starts), StreamingHistogram(0, kMostOfMean * expected, kBins)};
   auto ran = sum_blocks(context, Blocks::of(plan->orbits), all,

@@ -284,11 +284,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto apart = expect_pillars_apart(context.scene); !apart) return fail(std::move(apart));
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
-  const auto mirrors = MirrorRoom::of(room);
-  if (!mirrors) return tl::unexpected(mirrors.error());
+  FLATRAY_TRY(mirrors, MirrorRoom::of(room));
   const auto symbols = static_cast<std::size_t>(context.symbols.value_or(kUsualSymbols));
-  auto orbits = orbits_by_word(context, *mirrors, symbols);
-  if (!orbits) return tl::unexpected(orbits.error());
+  FLATRAY_TRY(orbits, orbits_by_word(context, *mirrors, symbols));
   const PeriodicOrbits found(context, *mirrors, symbols, std::move(*orbits));
   return found.result();
 }

@@ -48,8 +48,7 @@ double filled(double bounces) { return 1 - portable::exp(-bounces / (kCells * kC
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  const auto orbits = boundary_orbits(context, room, kRandomOrbits);
-  if (!orbits) return tl::unexpected(orbits.error());
+  FLATRAY_TRY(orbits, boundary_orbits(context, room, kRandomOrbits));
   Plot plot{"Part of phase space an orbit comes to", "bounces", "portion of the cells", {}};
   std::vector<Measure> measures;
   const auto audit = watch_bounces(

@@ -237,8 +237,7 @@ Measure mean_square_sine(const Section& section) {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  auto orbits = boundary_orbits(context, room, kRandomOrbits);
-  if (!orbits) return fail(std::move(orbits));
+  FLATRAY_TRY(orbits, boundary_orbits(context, room, kRandomOrbits));
   Section section(std::move(*orbits));
   const auto audit = watch_bounces(
       context, room, section.watched,

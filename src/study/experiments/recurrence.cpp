@@ -139,8 +139,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Entries entries(room);
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   const auto start = [&](std::uint64_t i) { return entries(context.seed, i); };
-  const auto orbits = trace_outcomes(context, room, bounces, context.count, 0, start);
-  if (!orbits) return tl::unexpected(orbits.error());
+  FLATRAY_TRY(orbits, trace_outcomes(context, room, bounces, context.count, 0, start));
   return Returns(context, room, *orbits)
       .result(audit(context, room, audited_starts(context, context.count, start), bounces));
 }

@@ -62,11 +62,9 @@ Plot plot_of(const ExperimentContext& context, const Room& room,
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  const auto orbits = orbits_to_watch(context, room, 0);
-  if (!orbits) return tl::unexpected(orbits.error());
-  const auto pixels =
-      trace_pixels(context, room, context.bounces.value_or(kPixelBounces), PixelMap::position);
-  if (!pixels) return tl::unexpected(pixels.error());
+  FLATRAY_TRY(orbits, orbits_to_watch(context, room, 0));
+  FLATRAY_TRY(pixels, trace_pixels(context, room, context.bounces.value_or(kPixelBounces),
+                                   PixelMap::position));
   std::vector<Measure> measures = ray_counts(context, room, *orbits);
   double sum = 0, free = 0, most = 0;
   for (const PixelOutcome& pixel : *pixels) {

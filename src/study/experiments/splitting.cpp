@@ -286,8 +286,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   if (auto plane = expect_not_periodic(context); !plane) return fail(std::move(plane));
-  const auto plan = plan_of(context, room);
-  if (!plan) return tl::unexpected(plan.error());
+  FLATRAY_TRY(plan, plan_of(context, room));
   SplittingPlan far = *plan;
   far.apart *= kFarther;
   auto found = run_blocks(context, kGroups, [&](std::size_t group) {

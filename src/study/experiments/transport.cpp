@@ -281,8 +281,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!(area > 0 && std::isfinite(area)))
     return fail(where, fmt::format("the chamber encloses an area of {:.6g}", area),
                 "give it an outline larger than its pillars");
-  const auto plan = plan_orbits(context, kBounces);
-  if (!plan) return tl::unexpected(plan.error());
+  FLATRAY_TRY(plan, plan_orbits(context, kBounces));
   if (plan->bounces < kFewestBounces)
     return fail(
         named_place("--bounces"), "too few to see how an orbit goes on",

@@ -4,8 +4,7 @@ namespace flatray {
 
 Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const Room& room,
                                        std::uint64_t random_orbits) {
-  auto watched = orbits_to_watch(context, room, random_orbits);
-  if (!watched) return fail(std::move(watched));
+  FLATRAY_TRY(watched, orbits_to_watch(context, room, random_orbits));
   const std::uint64_t orbits = watched->starts.size();
   return BoundaryOrbits{std::move(*watched),
                         context.bounces.value_or((context.count + orbits - 1) / orbits)};

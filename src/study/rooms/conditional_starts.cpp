@@ -7,7 +7,6 @@
 
 #include "base/counted.h"
 #include "base/parallel.h"
-#include "base/portable_math.h"
 #include "transport/near_doubles.h"
 
 namespace flatray {
@@ -92,8 +91,7 @@ Result<ConditionalStarts> ConditionalStarts::draw(const ExperimentContext& conte
         named_place("--count"),
         fmt::format("conditional starts in {} groups of {}", kShifts, counted(orbits, "orbit")),
         fmt::format("say --count {} or more", kShifts * kLeastOrbits), Trouble::usage);
-  const auto natural = natural_survival(pilot, room, bounces);
-  if (!natural) return tl::unexpected(natural.error());
+  FLATRAY_TRY(natural, natural_survival(pilot, room, bounces));
   ConditionalStarts found;
   found.memory_ = *late_start(*natural);
   const double step = std::max(1.0, std::floor(kLogOfFour / natural->rate));

@@ -8,7 +8,6 @@
 #include "base/counted.h"
 #include "base/portable_math.h"
 #include "collide/pillars.h"
-#include "geom/predicates.h"
 #include "study/rooms/starts.h"
 #include "study/rooms/wall_places.h"
 #include "transport/exact_origin.h"

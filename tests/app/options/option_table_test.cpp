@@ -137,6 +137,21 @@ TEST(OptionTable, LargeNumbersAreShownAsPowersOfTwo) {
   EXPECT_EQ(range_text(1, 1024, ""), " (1 to 1024)");
 }
 
+TEST(OptionTable, TheUsageLineOfAVerbSaysHowManyOperandsItTakes) {
+  const auto takes = [](const char* operands, std::size_t hidden = 0) {
+    Verb verb{};
+    verb.operands = operands, verb.hidden_operands = hidden;
+    return std::pair(verb.least_operands(), verb.most_operands());
+  };
+  EXPECT_EQ(takes(""), std::pair(0UL, 0UL));
+  EXPECT_EQ(takes("SCENE"), std::pair(1UL, 1UL));
+  EXPECT_EQ(takes("[FILE|-]"), std::pair(0UL, 1UL));
+  EXPECT_EQ(takes("NAME SCENE"), std::pair(2UL, 2UL));
+  EXPECT_EQ(takes("FOLDER..."), std::pair(1UL, 10'000UL));
+  EXPECT_EQ(takes("check|update [SCENE...]"), std::pair(1UL, 10'000UL));
+  EXPECT_EQ(takes("SHELL", 7), std::pair(1UL, 8UL));
+}
+
 // Help, completion and the environment are made of the rows, so two of one name would hide one another.
 TEST(OptionTable, NoVerbHasTwoOptionsOfOneNameOrLetter) {
   for (const Verb* verb : all_verbs()) {

@@ -44,6 +44,15 @@ TEST(Report, TextIsOfPartsAndResultsAreTheirOwn) {
   EXPECT_EQ(json.whole_of("more"), 1U);
 }
 
+TEST(Report, ResultsAddedOneByOneAreAListWithTheirTextsInOrder) {
+  VerbOutput output{.table = two_rows()};
+  output.add(Fields{{"n", 1}}, "one\n");
+  output.add(2, "two\n");
+  EXPECT_EQ(written("quiet", output), "one\ntwo\n");
+  EXPECT_EQ(written("csv", output), "name,t\na,0.5\nb,\n");
+  EXPECT_EQ(json_text(*json_written(output).find("results")), R"([{"n":1},2])");
+}
+
 TEST(Report, WithoutResultsThereIsNoJson) { EXPECT_EQ(written("json", {.exit_code = 130}), ""); }
 
 // A copy of the arguments is what the verb warns with.
