@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: shapes/box shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/import shapes/mushroom shapes/polygon shapes/segment formats/obj
+# needs: shapes/box shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/mushroom shapes/ngon shapes/polygon shapes/segment shapes/star
 # accuracy.sh FLATRAY ROOT [FOLDER]: the pages of `flatray accuracy` for three scenes and the figures of experiments, orbits
 # and hits, in a real browser. FOLDER takes pictures of them.
 set -euo pipefail
@@ -39,7 +39,7 @@ experiment transport chamber/lorentz --count 100000
 experiment periodic chamber/three_discs_6
 experiment lyapunov chamber/sinai --count 20000 --sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.1
 experiment avoidance collision/avoid
-experiment markov markov/runner --count 20000
+experiment markov tutorial/06_markov --count 20000
 "$flatray" orbit "$root/scenes/chamber/three_discs.toml" --svg >"$work/orbit.svg"
 "$flatray" hit "$root/scenes/paper/case_one.toml" --from ray --against polygon --svg >"$work/hit.svg"
 pages+=("$work/orbit.svg" "$work/hit.svg")

@@ -107,8 +107,7 @@ Plot plot_of(const Room& room, const LineDensity& density) {
   const auto light = [&](double cell) { return 1 - portable::exp(-density.scale() * cell); };
   if (most > 0)
     plot.bar = bar_of(
-        "length of lines, cell widths", most,
-        [&](double part) { return heat(part * light(most)); },
+        "length of lines, cell widths", most, [&](double part) { return heat(part * light(most)); },
         [&](double cell) { return light(cell) / light(most); });
   return plot;
 }
