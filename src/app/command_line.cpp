@@ -156,7 +156,8 @@ int answer(const Verb& verb, const std::vector<std::string>& words) {
   common.rows(table, verb.command.options());
   const Ready run = verb.command.read(arguments, problems);
   const auto failed = [&](const Diagnostics& why) {
-    return print(written(verb.name, arguments, why), report_failure(why, verb.undone));
+    VerbOutput output{.results = failed_results(why)};
+    return print(written(verb.name, arguments, output), report_failure(why, verb.undone));
   };
   if (!problems.empty()) return failed(problems);
   if (const auto entered = enter_sandbox(verb, arguments); !entered) return failed(entered.error());

@@ -27,10 +27,10 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
     if (std::ranges::find(places, place.name) == places.end()) continue;
     for (const Tracer* tracer : request.tracers) {
       const ChunkLog::Key key{place.name, tracer->name, isa_name(active_isa()), request.seed, 0};
-      auto done = log->run({key}, blocks, request.threads, [&](std::uint64_t block, const auto&) {
-        return std::vector{count_leaks(*tracer, place, request.seed, block)};
-      });
-      if (!done) return fail(std::move(done));
+      FLATRAY_TRY(done,
+                  log->run({key}, blocks, request.threads, [&](std::uint64_t block, const auto&) {
+                    return std::vector{count_leaks(*tracer, place, request.seed, block)};
+                  }));
       const LeakTally sum = log->sum(key, blocks);
       sound = sound && sum.leaks + sum.wrong + sum.wrong_t == 0;
       table.add({place.name, tracer->name, sum.rays, sum.bounces, sum.leaks, sum.corners, sum.wrong,

@@ -103,7 +103,7 @@ Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, Gol
     return tl::unexpected(Diagnostics{
         refusal(row.name(), fmt::format("frame {} drifts: {}", row.frame, difference_text(drift)),
                 "two renders must be equal: that is a bug, and no golden can stand for it")});
-  row.drift = tolerance_text(drift);
+  row.drift = row.tolerance.text();
   row.pixels = pixel_hash(picture.after);
   const auto old = std::ranges::find_if(
       before, [&](const GoldenRow& other) { return other.frame == row.frame; });

@@ -17,8 +17,4 @@ std::string difference_text(const Difference& difference) {
                      difference.pixels == 1 ? "s" : "");
 }
 
-std::string tolerance_text(const Difference& difference) {
-  return fmt::format("max={};pixels={}", difference.worst, difference.pixels);
-}
-
 }  // namespace flatray

@@ -8,7 +8,4 @@ namespace flatray {
 /// "worst pixel (111, 87) green: 190, expected 153; 12 of 40000 pixels differ". Needs a difference.
 std::string difference_text(const Difference& difference);
 
-/// A difference as a tolerance that would just let it pass: "max=37;pixels=12".
-std::string tolerance_text(const Difference& difference);
-
 }  // namespace flatray

@@ -105,11 +105,6 @@ std::string written(const char* verb, const Arguments& arguments, VerbOutput& ou
   return text;
 }
 
-std::string written(const char* verb, const Arguments& arguments, const Diagnostics& problems) {
-  if (!arguments.has("json")) return "";
-  return json_of(verb, arguments, failed_results(problems), {});
-}
-
 JsonValue failed_results(const Diagnostics& problems) {
   return Fields{{"errors", as_values(problems)}};
 }

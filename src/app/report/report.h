@@ -47,9 +47,7 @@ struct VerbOutput {
 /// until this is written), warnings, what the verb tells of all results, and its problems as
 /// "errors".
 std::string written(const char* verb, const Arguments& arguments, VerbOutput& output);
-/// What --json prints of a verb that failed: "errors" for results; "" without --json.
-std::string written(const char* verb, const Arguments& arguments, const Diagnostics& problems);
-/// The results of a verb that failed.
+/// The results of a verb that failed: "errors".
 JsonValue failed_results(const Diagnostics& problems);
 
 /// A point as people read it: "(0.5, -2)".

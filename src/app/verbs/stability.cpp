@@ -118,10 +118,18 @@ struct Options : Arguments {
 // Those of `names` in a family of this run.
 std::vector<ChunkLog::Key> keys_of(const Options& options, const std::string& family,
                                    const std::vector<std::string>& names) {
-  std::vector<ChunkLog::Key> keys;
-  for (const std::string& name : names)
-    keys.push_back({family, name, isa_name(active_isa()), options.request.seed, 0});
+  std::vector<ChunkLog::Key> keys(names.size(),
+                                  {family, "", isa_name(active_isa()), options.request.seed, 0});
+  for (std::size_t i = 0; i < names.size(); ++i) keys[i].tracer = names[i];
   return keys;
+}
+
+using Open = std::vector<std::size_t>;  // numbers of those that are asked about a chunk
+template <class T>
+std::vector<T> chosen(const std::vector<T>& all, const Open& open) {
+  std::vector<T> some(open.size());
+  std::ranges::transform(open, some.begin(), [&](std::size_t k) { return all[k]; });
+  return some;
 }
 
 Result<VerbOutput> run_pairs(const Options& options) {
@@ -133,15 +141,12 @@ Result<VerbOutput> run_pairs(const Options& options) {
   for (const PairFamily& family : pair_families()) {
     if (!options.chooses(family.name)) continue;
     const auto keys = keys_of(options, StabilityRows::pairs(family), family.methods);
-    auto done = log->run(keys, chunks, options.request.threads,
-                         [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
-                           const auto all = check_pairs(family, options.request.seed,
-                                                        chunk * kPairsAChunk, kPairsAChunk);
-                           std::vector<StabilityTally> tallies;
-                           for (const std::size_t k : open) tallies.push_back(all[k]);
-                           return tallies;
-                         });
-    if (!done) return fail(std::move(done));
+    FLATRAY_TRY(
+        done,
+        log->run(keys, chunks, options.request.threads, [&](std::uint64_t chunk, const Open& open) {
+          return chosen(
+              check_pairs(family, options.request.seed, chunk * kPairsAChunk, kPairsAChunk), open);
+        }));
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const StabilityTally sum = log->sum(keys[k], chunks);
       wrong += sum.wrong + sum.off_by_more;
@@ -186,15 +191,12 @@ Result<VerbOutput> run_families(const Options& options) {
   for (const oracle::Family& family : oracle::families()) {
     if (!options.chooses(family.name)) continue;
     const auto keys = keys_of(options, family.name, names_of(options.request.tracers));
-    auto done = log->run(keys, options.chunks(), options.request.threads,
-                         [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
-                           std::vector<const Tracer*> asked;
-                           for (const std::size_t k : open)
-                             asked.push_back(options.request.tracers[k]);
-                           return check_scenes(asked, family, options.request.seed,
-                                               chunk * kScenesAChunk, kScenesAChunk);
-                         });
-    if (!done) return fail(std::move(done));
+    FLATRAY_TRY(done, log->run(keys, options.chunks(), options.request.threads,
+                               [&](std::uint64_t chunk, const Open& open) {
+                                 return check_scenes(chosen(options.request.tracers, open), family,
+                                                     options.request.seed, chunk * kScenesAChunk,
+                                                     kScenesAChunk);
+                               }));
     for (const ChunkLog::Key& key : keys) {
       const StabilityTally sum = log->sum(key, options.chunks());
       wrong += sum.wrong + sum.off_by_more;
