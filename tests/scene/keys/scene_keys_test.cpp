@@ -18,7 +18,6 @@ world = [[-1, -2], [30, 40]]
 background = "#01020304"
 coverage = "centre"
 [camera]
-at = [1, 2]
 height = 9
 follow = "runner"
 offset = [3, 4]
@@ -102,7 +101,7 @@ TEST(SceneKeys, FilmCameraAndTime) {
   EXPECT_EQ(scene.film.world->high, Vec2(30, 40));
   EXPECT_EQ(scene.film.background, (Colour{1, 2, 3, 4}));
   EXPECT_EQ(scene.film.coverage, Coverage::centre);
-  EXPECT_EQ(*scene.camera.at, Vec2(1, 2));
+  EXPECT_EQ(*loaded("flatray = 1\ncamera = { at = [1, 2] }").scene.camera.at, Vec2(1, 2));
   EXPECT_EQ(*scene.camera.height, 9);
   EXPECT_EQ(*scene.camera.follow, 0u);
   EXPECT_EQ(scene.camera.offset, Vec2(3, 4));
@@ -125,7 +124,7 @@ TEST(SceneKeys, Entity) {
   EXPECT_TRUE(entity.bounding_box->in_pixels);
   EXPECT_EQ(entity.layer, -3);
   EXPECT_EQ(entity.material, Material::mirror);
-  EXPECT_EQ(entity.where.source->position(entity.where.offset).line, 17);
+  EXPECT_EQ(entity.where.source->position(entity.where.offset).line, 16);
 }
 
 TEST(SceneKeys, StatesChooseLooks) {
