@@ -187,7 +187,8 @@ bool is_periodic(const OrbitRoom& room) {
   return std::ranges::find(room.materials, Material::periodic) != room.materials.end();
 }
 
-Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool timed) {
+Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool periodic,
+                  bool timed) {
   const Bounce& bounce = report.orbit.bounces[i];
   const SurfaceOwner& owner = report.world->owner(bounce.surface);
   Values row{report.ray,
@@ -205,7 +206,7 @@ Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t 
              : i < report.certain ? "yes"
                                   : "no"};
   if (room.glass.any()) row.emplace_back(bounce.is_refracted() ? "refracted" : "reflected");
-  if (is_periodic(room)) row.insert(row.end(), {bounce.cell.a, bounce.cell.b});
+  if (periodic) row.insert(row.end(), {bounce.cell.a, bounce.cell.b});
   if (!timed) return row;
   row.push_back(report.clock ? JsonValue(report.clock->bounces[i].time) : JsonValue());
   row.push_back(report.clock ? JsonValue(bounce.out.stableNorm()) : JsonValue());
@@ -220,12 +221,13 @@ Table bounce_table(const OrbitRoom& room, std::span<const OrbitReport> reports) 
   const bool timed = std::ranges::any_of(
       reports, [](const OrbitReport& report) { return report.clock.has_value(); });
   if (room.glass.any()) table.columns.emplace_back("went");
-  if (is_periodic(room)) table.columns.insert(table.columns.end(), {"cell_a", "cell_b"});
+  const bool periodic = is_periodic(room);
+  if (periodic) table.columns.insert(table.columns.end(), {"cell_a", "cell_b"});
   if (timed) table.columns.insert(table.columns.end(), {"time", "speed"});
-  table.made = [&room, reports, timed](const Table::EachRow& each) {
+  table.made = [&room, reports, periodic, timed](const Table::EachRow& each) {
     for (const OrbitReport& report : reports)
       for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
-        each(bounce_row(room, report, i, timed));
+        each(bounce_row(room, report, i, periodic, timed));
   };
   return table;
 }
