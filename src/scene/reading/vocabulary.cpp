@@ -83,6 +83,7 @@ template <class Type>
 std::vector<TableInfo> tables_of(const std::vector<const Type*>& types, const std::string& before,
                                  bool drawn) {
   std::vector<TableInfo> tables;
+  tables.reserve(types.size());
   for (const Type* type : types)
     tables.push_back({before + type->name, {type->keys.begin(), type->keys.end()}, drawn});
   return tables;
