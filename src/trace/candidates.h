@@ -12,7 +12,7 @@ namespace flatray {
 /// ExactNearest for all of it.
 class Candidates {
  public:
-  /// Needs   `walls`, `ray` and `left` to outlive it; a direction that is not zero. What is surely
+  /// Needs   `walls`, `ray` and `departed` to outlive it; a direction that is not zero. What is surely
   ///         met later than `limit` is no candidate.
   Candidates(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
              double limit = kInfinity)

@@ -12,7 +12,7 @@ namespace flatray {
 /// compared: every exact tracer ends here where its bounds leave a doubt.
 class ExactNearest {
  public:
-  /// Needs   `walls` and what `left` names to outlive it.
+  /// Needs   `walls` and what `departed` names to outlive it.
   ExactNearest(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
                bool tangents);
 

@@ -15,7 +15,7 @@ class Glass {
   Glass(const Scene& scene, const World& world);
   bool any() const { return bodies_.any(); }
 
-  /// The bodies that a ray is in which sets off from where it is; `left` as OrbitStart has it. Exact.
+  /// The bodies that a ray is in which sets off from where it is; `departed` as OrbitStart has it. Exact.
   Media media_at(const Ray& ray, const DepartedSurface& departed) const;
   /// Where an orbit meets a wall of glass.
   struct GlassHit {

@@ -45,7 +45,7 @@ inline double floor_of(double x) {  // of what an int can hold
 #endif
 }
 
-// A ray as given; `left` as walk.h has it.
+// A ray as given; `departed` as walk.h has it.
 struct SingleRay {
   double ox, oy, dx, dy;
   unsigned departed;

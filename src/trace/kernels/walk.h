@@ -104,7 +104,7 @@ struct SingleHit {
 };
 
 struct WalkKernels {
-  /// Fills `walking` but for `left` and `up_to`. Of rays that cannot walk `fate` becomes kDoubt; whether
+  /// Fills `walking` but for `departed` and `up_to`. Of rays that cannot walk `fate` becomes kDoubt; whether
   /// there are any. Rays that miss the grid start in the ring.
   bool (*prepare)(const Grid&, const Rays&, const Walking&, int* fate);
   void (*walk)(const Grid&, const Walking&, int* found);
@@ -113,7 +113,7 @@ struct WalkKernels {
   void (*scan)(const Grid&, const Walking&, int* found);
   /// Gives how many rays are open.
   int (*finish)(const Grid&, const Rays&, const Finish&);
-  /// All of it for one ray, `left` the slot of the segment just left or kNone; of every record where there
+  /// All of it for one ray, `departed` the slot of the segment just left or kNone; of every record where there
   /// are no cells. Numbers come in registers: to read together from memory what was just written one by one
   /// would wait for the ray before.
   SingleHit (*single_ray)(const Grid&, double ox, double oy, double dx, double dy,

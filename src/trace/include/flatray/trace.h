@@ -60,8 +60,8 @@ struct Hit {
 
 /// Walls made ready for any number of rays.
 ///
-/// Error   `sizes`, `not_finite`; `no_such`: Rays::departed has the number of no wall. The entry is the
-///         ray.
+/// Error   `sizes`, `not_finite`; `no_such`: Rays::departed has the number of no wall. The entry is
+///         the ray.
 /// Owns    its walls. Once it is moved from, it has none: no ray meets anything.
 /// Threads any number may ask one tracer at once. A call starts no thread.
 class RayTracer {

@@ -68,7 +68,7 @@ class Room {
 
   /// Follows each ray for at most `bounces` bounces; with 0 only the start is looked at.
   ///
-  /// Needs   directions that are not zero. Rays::left and Rays::tangents play no part: a ray that
+  /// Needs   directions that are not zero. Rays::departed and Rays::tangents play no part: a ray that
   ///         starts on a wall counts as having just left it, and a ray passes by a curve that it
   ///         touches in one point.
   /// Gives   one orbit a ray, in order, and the bounces, those of one orbit in a row. What a ray
