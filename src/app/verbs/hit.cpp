@@ -72,7 +72,7 @@ Result<Question> ask(const Options& options, const Scene& scene, std::vector<Nam
   if (options.has("against"))
     return find_entity(options, "against", scene).map([&](std::uint32_t entity) {
       question.against = {entity};
-      return question;
+      return std::move(question);
     });
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
     if (from != i) question.against.push_back(i);
@@ -92,7 +92,7 @@ Result<std::vector<Question>> scene_questions(const Options& options, const Scen
   if (rays.empty()) return questions;
   return ask(options, scene, std::move(rays)).map([&](Question question) {
     questions.push_back(std::move(question));
-    return questions;
+    return std::move(questions);
   });
 }
 
