@@ -10,6 +10,7 @@
 #include "collide/outline_contact.h"
 #include "scene/outlines/lattice_cell.h"
 #include "scene/outlines/outline.h"
+#include "scene/part_counts.h"
 
 namespace flatray {
 namespace {
@@ -26,6 +27,10 @@ std::vector<Vec2> points_of(const Shape& shape, const Pose& place) {
     points.push_back(place(segment.a));
     points.push_back(place(segment.b));
   }
+  for (const Bezier& curve : shape.beziers) {
+    points.push_back(place(curve.point(0)));
+    points.push_back(place(curve.point(curve.degree)));
+  }
   return points;
 }
 
@@ -38,7 +43,7 @@ Shape straight_walls(const Shape& chamber) {
 }
 
 bool overlap(const MovingShape& a, const MovingShape& b) {
-  if (!has_area(*a.shape) && !has_area(*b.shape)) return false;
+  if (part_counts(*a.shape).areas() + part_counts(*b.shape).areas() == 0) return false;
   const std::vector<MeetingPart> parts = shapes_meet(a, b, {0, 0});
   return std::any_of(parts.begin(), parts.end(),
                      [](const MeetingPart& part) { return part.kind == HitClass::through; });
@@ -65,12 +70,6 @@ std::vector<MovingShape> pillar_bodies(const Scene& scene, const Chamber& chambe
 FrameState first_frame(const Scene& scene) { return at(Timeline(scene, scene.seed, 1), 1); }
 
 }  // namespace
-
-bool has_area(const Shape& shape) {
-  return !shape.vertices.empty() || !shape.circles.empty() ||
-         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                     [](const ArcPath& path) { return path.closed; });
-}
 
 Result<void> expect_pillars_inside(const Scene& scene) {
   const FrameState state = first_frame(scene);

@@ -4,9 +4,6 @@
 
 namespace flatray {
 
-/// Whether a shape has an inside.
-bool has_area(const Shape& shape);
-
 /// Whether the pillars of a scene's chamber stand in it, in frame 1, and apart, as far as contact
 /// tells; a disc may stand across periodic walls, as its copies stand there too, where it is no larger in
 /// radius than the cell is deep. Curved walls of the chamber, and arcs but those of capsules and ellipses, are not looked at.

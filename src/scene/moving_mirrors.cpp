@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "scene/material.h"
+#include "scene/part_counts.h"
 #include "scene/responses.h"
 
 namespace flatray {
@@ -23,8 +24,7 @@ const char* why_not_straight(const Scene& scene, const Thing& thing) {
 }
 
 bool has_arcs(const Scene& scene, ShapeId shape) {
-  return shape < scene.shapes.size() &&
-         !(scene.shapes[shape].arc_paths.empty() && scene.shapes[shape].beziers.empty());
+  return shape < scene.shapes.size() && part_counts(scene.shapes[shape]).other_curves() > 0;
 }
 
 std::string why_not(const Scene& scene, const Entity& entity) {

@@ -80,6 +80,8 @@ lorentz=$root/scenes/chamber/lorentz.toml
 for verb in check orbit explain "experiment mean-free-path"; do
   run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.shape={ segment = { from = [0.5, 0.5], to = [1.5, 0.5] } }'
   says err "does not stand in the chamber"
+  run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.shape={ bezier = { degree = 2, points = [[0.5, 0.5], [1, 0], [1.5, 0.5]] } }'
+  says err "does not stand in the chamber"
   run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.shape={ circle = { radius = 0.6 } }'
   says err "overlap"
   run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.at=[2, 0]'

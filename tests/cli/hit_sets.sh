@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Parts of a ray in any entity, in all, in one alone.
-# needs: shapes/capsule shapes/circle shapes/box
+# needs: shapes/bezier shapes/capsule shapes/circle shapes/box shapes/ellipse
 source "$(dirname "$0")/lib.sh"
 cat > row.toml << 'SCENE'
 flatray = 1
@@ -56,4 +56,11 @@ says out 't from 0.5 to 3.5'
 run 2 hit row.toml --ray 0,1,1,0 --op unoin
 says err 'say union, intersection, difference'
 run 2 hit row.toml --ray 0,1,1,0 --op union --svg
+# The diagram has the outline of every kind of shape.
+for shape in '{ circle = { radius = 1 } }' '{ ellipse = { radii = [1, 0.5] } }' '{ bezier = { points = [[-1, 0], [0, 2], [1, 2], [1, 0]] } }'; do
+  run 0 hit row.toml --ray=-3,0.25,1,0 --against left -D "entity.left.shape=$shape" --svg
+  grep -q nan "$work/out.txt" && fail "a place of $shape is no number"
+  awk -F L '/class="s-axis"/ && NF > 30 { found = 1 } END { exit !found }' "$work/out.txt" || fail "no outline of $shape"
+done
+[[ $(grep -o 't = ' "$work/out.txt" | wc -l) == 2 ]] || fail "a point that is touched is named twice"
 finish

@@ -4,46 +4,32 @@
 #include <array>
 #include <cmath>
 
-#include "base/portable_math.h"
+#include "anim/world.h"
 #include "geom/bounds.h"
 #include "geom/clip.h"
-#include "scene/outlines/outline.h"
 #include "study/plots/plot.h"
 #include "study/plots/plot_axes.h"
+#include "study/rooms/wall_places.h"
 
 namespace flatray {
 namespace {
 
-constexpr double kMargin = 0.08, kTurn = 0x1.921fb54442d18p+2;
-constexpr int kChords = 96;  // of a circle
+constexpr double kMargin = 0.08;
 
 Vec2 at(const Ray& ray, double t) { return ray.origin + t * ray.direction; }
 Plot::Point point(const Vec2& place) { return {place.x(), place.y()}; }
 
-// The outline of an entity as one line with gaps; its box has been added to `box`.
-void add_outline(const Scene& scene, const FrameState& state, std::uint32_t entity,
-                 Plot::Series& walls, Bounds& box) {
-  const Shape& shape = shape_of(scene, state, entity);
-  const Pose place = entity_pose(state, entity);
-  const auto add = [&](const std::vector<Vec2>& line) {
-    for (const Vec2& corner : line) {
+// The walls of an entity as one line with gaps; their box has been added to `box`.
+void add_walls(const Scene& scene, const FrameState& state, std::uint32_t entity,
+               Plot::Series& lines, Bounds& box) {
+  World world;
+  add_shape(world, shape_of(scene, state, entity), entity_pose(state, entity), {});
+  for (std::uint32_t wall = 0; wall < world.surfaces.size(); ++wall) {
+    for (const Vec2& corner : wall_outline(world.surfaces, wall)) {
       box.add(corner);
-      walls.points.push_back(point(corner));
+      lines.points.push_back(point(corner));
     }
-    walls.points.push_back(Plot::gap());
-  };
-  for (const OutlineEdge& edge : outline(shape))
-    add({place(shape.vertices[edge.from]), place(shape.vertices[edge.to])});
-  for (const Segment& segment : shape.segments) add({place(segment.a), place(segment.b)});
-  for (const Circle& circle : shape.circles) {
-    const Circle there = posed(circle, place);
-    std::vector<Vec2> round;
-    for (int i = 0; i <= kChords; ++i) {
-      const double angle = kTurn * (i % kChords) / kChords;
-      round.push_back(there.centre +
-                      there.radius * Vec2(portable::cos(angle), portable::sin(angle)));
-    }
-    add(round);
+    lines.points.push_back(Plot::gap());
   }
 }
 
@@ -64,7 +50,7 @@ std::string svg_of(const Scene& scene, const FrameState& state,
       origins{"", {}, true, "blue"}, inside{"inside", {}, false, "vermillion", 4},
       ends{"", {}, true, "vermillion"};
   Bounds box;
-  for (const std::uint32_t entity : entities) add_outline(scene, state, entity, walls, box);
+  for (const std::uint32_t entity : entities) add_walls(scene, state, entity, walls, box);
   for (const HitReport& report : reports) {
     box.add(report.ray.ray.origin);
     if (std::isfinite(report.within.high)) box.add(at(report.ray.ray, report.within.high));
@@ -88,9 +74,12 @@ std::string svg_of(const Scene& scene, const FrameState& state,
     }
     if (!report.hit) continue;
     add(inside, {std::max(report.hit.t_enter, shown.low), std::min(report.hit.t_exit, shown.high)});
-    for (const double t : {report.hit.t_enter, report.hit.t_exit})
+    const auto mark = [&](double t) {
       if (std::isfinite(t))
         ends.points.push_back({at(ray, t).x(), at(ray, t).y(), 0, "t = " + tick_words(t)});
+    };
+    mark(report.hit.t_enter);
+    if (report.hit.t_exit != report.hit.t_enter) mark(report.hit.t_exit);
   }
   for (Plot::Series* series : {&walls, &rays, &origins, &inside, &ends})
     plot.series.push_back(std::move(*series));

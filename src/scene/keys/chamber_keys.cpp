@@ -6,6 +6,7 @@
 #include "scene/keys/scene_keys.h"
 #include "scene/outlines/holes.h"
 #include "scene/outlines/lattice_cell.h"
+#include "scene/part_counts.h"
 
 namespace flatray {
 namespace {
@@ -67,10 +68,7 @@ void read_holes(Builder& builder, const Field& field, Chamber& chamber) {
 void cut_walls_of(Builder& builder, Chamber& chamber) {
   const Shape& shape = builder.scene.shapes[chamber.shape];
   const Hole& first = chamber.holes.front();
-  const bool open =
-      !shape.segments.empty() || !shape.beziers.empty() ||
-      std::ranges::any_of(shape.arc_paths, [](const ArcPath& path) { return !path.closed; });
-  if (open)
+  if (part_counts(shape).lines() > 0)
     return builder.in.problem(first.where, "the walls are lines, which enclose nothing",
                               "leave the hole out of them");
   if (chamber.material == Material::periodic)

@@ -5,6 +5,7 @@
 #include "scene/keys/markov_keys.h"
 #include "scene/keys/motion_keys.h"
 #include "scene/keys/scene_keys.h"
+#include "scene/part_counts.h"
 
 namespace flatray {
 namespace {
@@ -46,9 +47,7 @@ void read_states(Builder& builder, const Field& field, Entity& entity) {
 bool is_one_segment(const Scene& scene, ShapeId id) {
   if (id >= scene.shapes.size()) return true;  // told
   const Shape& shape = scene.shapes[id];
-  return shape.segments.size() == 1 && shape.changes == kNoEntry && shape.piece_count() == 0 &&
-         shape.circles.empty() && shape.arc_paths.empty() && shape.beziers.empty() &&
-         shape.crossing_rings.empty();
+  return shape.changes == kNoEntry && part_counts(shape) == PartCounts{.segments = 1};
 }
 
 void read_alternatives(Builder& builder, const Field& field, Entity& entity) {
@@ -102,15 +101,10 @@ constexpr Key<Entity> kEntityKeys[] = {
     kRepeatKey<Entity>,
 };
 
-bool is_only_lines(const Shape& shape) {
-  return shape.piece_count() == 0 && shape.circles.empty() && shape.crossing_rings.empty() &&
-         std::ranges::none_of(shape.arc_paths, [](const ArcPath& path) { return path.closed; });
-}
-
 void dress(Builder& builder, const Value& table, Entity& entity) {
   const Scene& scene = builder.scene;
   const bool lines =
-      entity.shape < scene.shapes.size() && is_only_lines(scene.shapes[entity.shape]);
+      entity.shape < scene.shapes.size() && part_counts(scene.shapes[entity.shape]).areas() == 0;
   const Member* fill = table.find("fill");
   if (fill != nullptr && entity.fill && lines)
     builder.in.warning(fill->value.where, "a shape of lines has no inside to fill",

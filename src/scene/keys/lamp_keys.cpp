@@ -8,6 +8,7 @@
 #include "scene/keys/motion_keys.h"
 #include "scene/keys/scene_keys.h"
 #include "scene/lamp.h"
+#include "scene/part_counts.h"
 #include "scene/reading/kinds.h"
 #include "scene/reading/spectrum_text.h"
 
@@ -239,8 +240,8 @@ constexpr Key<LightSettings> kLightKeys[] = {
 
 // Whether light is surely inside or outside of it, by the side of each of its walls.
 bool is_body(const Shape& shape) {
-  return shape.segments.empty() && shape.crossing_rings.empty() &&
-         shape.piece_count() + shape.circles.size() + shape.arc_paths.size() > 0 &&
+  const PartCounts parts = part_counts(shape);
+  return parts.lines() + parts.crossing_rings == 0 && parts.areas() > 0 &&
          std::ranges::all_of(shape.arc_paths,
                              [](const ArcPath& path) { return path.is_ellipse(); });
 }

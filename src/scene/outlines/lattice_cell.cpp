@@ -7,14 +7,14 @@
 
 #include "base/number_text.h"
 #include "geom/error_free.h"
+#include "scene/part_counts.h"
 
 namespace flatray {
 namespace {
 
 bool is_one_polygon(const Shape& shape) {
   const std::size_t corners = shape.vertices.size();
-  return (corners == 4 || corners == 6) && shape.piece_count() == 1 && shape.segments.empty() &&
-         shape.circles.empty() && shape.arc_paths.empty() && shape.beziers.empty();
+  return (corners == 4 || corners == 6) && part_counts(shape) == PartCounts{.pieces = 1};
 }
 
 // Whether two corners have the middle of two others, and by how much not.
@@ -111,9 +111,7 @@ void add_copies_of_discs(Scene& scene, Chamber& chamber) {
   for (std::size_t i = 0; i < count; ++i) {
     Chamber::Pillar pillar = chamber.pillars[i];
     const Shape disc = scene.shapes[pillar.shape];
-    if (disc.circles.size() != 1 || disc.piece_count() > 0 || !disc.arc_paths.empty() ||
-        !disc.segments.empty() || !disc.beziers.empty())
-      continue;
+    if (part_counts(disc) != PartCounts{.circles = 1}) continue;
     const double radius = disc.circles.front().radius;
     const Vec2 local = disc.circles.front().centre;
     if (pillar.angle != 0 && !local.isZero(0)) continue;

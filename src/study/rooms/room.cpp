@@ -8,6 +8,7 @@
 #include "base/counted.h"
 #include "base/portable_math.h"
 #include "collide/pillars.h"
+#include "scene/part_counts.h"
 #include "study/rooms/starts.h"
 #include "study/rooms/wall_places.h"
 #include "transport/exact_origin.h"
@@ -40,8 +41,8 @@ Room::Room(const Scene& scene)
   }
   orbits_ = std::make_unique<OrbitTracer>(walls(), materials_,
                                           OrbitRules{.field = scene.field(), .glass = &glass_});
-  const bool closed =
-      !scene.chambers.empty() && has_area(scene.shapes[scene.chambers.front().shape]);
+  const bool closed = !scene.chambers.empty() &&
+                      part_counts(scene.shapes[scene.chambers.front().shape]).areas() > 0;
   fast_ = std::make_unique<FastOrbits>(*orbits_, closed);
 }
 
@@ -57,7 +58,7 @@ std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
                             ? scene_.chambers[owner.index].pillars[owner.pillar].shape
                             : state_.entities[owner.index].shape;
   const Shape& whole = scene_.shapes[shape];
-  if (!has_area(whole)) return std::nullopt;
+  if (part_counts(whole).areas() == 0) return std::nullopt;
   return chamber ? inside : -inside;
 }
 
@@ -196,7 +197,7 @@ Result<void> expect_no_other_way_out(const ExperimentContext& context) {
                 "add [[chamber]] with a shape");
   const Chamber& chamber = scene.chambers.front();
   const Shape& shape = scene.shapes[chamber.shape];
-  if (!has_area(shape))
+  if (part_counts(shape).areas() == 0)
     return fail(
         chamber.where, "the chamber is open, and orbits leave it",
         "close its shape: a polygon, a circle, a capsule; lines and Bezier curves enclose nothing");
