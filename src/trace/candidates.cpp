@@ -34,9 +34,9 @@ void Candidates::offer_segment(std::uint32_t slot, double limit) {
 }
 
 void Candidates::offer_curve(std::uint32_t surface) {
-  const bool left = surface == departed_.surface;
   if (is_known(surface)) return;
   ++tested_;
+  const Root left = surface == departed_.surface ? departed_.root : Root::none;
   const FilteredCurve hit =
       walls_.visit(surface, [&](const auto& wall) { return filter_curve(ray_, wall, left); });
   if (hit.verdict == FilteredCurve::Verdict::missed || hit.low > high_) return;

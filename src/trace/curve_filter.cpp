@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/decide.h"
+#include "geom/primitives/wall.h"
 
 namespace flatray {
 namespace {
@@ -11,35 +12,57 @@ using Verdict = FilteredCurve::Verdict;
 constexpr FilteredCurve kMissed{Verdict::missed, 0, 0, Root::none};
 constexpr FilteredCurve kOpen{Verdict::open, -kInfinity, kInfinity, Root::none};
 
-[[gnu::flatten]] FilteredCurve filter_whole(const Ray& ray, const Ellipse& curve) {
-  const auto time = curve_time(kNear, ray, curve);
-  const auto chord = time.q.sign();
-  if (chord == Sign::negative) return kMissed;
-  const Near half = chord ? square_root(time.q) : either_root(time.q);
-  const Near first = (time.b - half) / time.a;
-  if (chord && first.low() > 0) return {Verdict::sure, first.low(), first.high(), Root::first};
-  const Near second = (time.b + half) / time.a;
-  if (second.high() < 0) return kMissed;
-  if (chord && first.high() < 0 && second.low() > 0)
-    return {Verdict::sure, second.low(), second.high(), Root::second};
-  return {Verdict::open, first.low(), kInfinity, Root::none};
+// Whether a ray surely passes by what joins an arc's end to its curve: that is no longer than |k| times
+// the way from the centre, where 1 + k is the square of the end's share of the radius.
+bool passes_by_joint(const Ray& ray, const Ellipse& curve, const Vec2& end) {
+  const auto d = pair_of(kNear, ray.direction), e = pair_of(kNear, end);
+  const auto from_centre = e - pair_of(kNear, curve.centre);
+  const Near size = form_size(kNear, curve);
+  const Near k = curve_power(kNear, curve, from_centre) / (size * size);
+  const Near beside = cross(d, e - pair_of(kNear, ray.origin)), across = cross(d, from_centre) * k;
+  return k.size() + k.error() < 0.25 &&
+         beside.size() - beside.error() > 1.0625 * (across.size() + across.error());
+}
+
+// Whether the point at which a ray crosses an arc's curve is between its ends.
+std::optional<bool> crosses_between(const Ray& ray, const Arc& wall, Root root) {
+  if (wall.extent == Arc::Extent::whole) return true;
+  const auto point = curve_point(kNear, ray, wall.curve, root_sign(root)).from_centre;
+  bool known = true;
+  const PlaceOn place = place_in_cone(wall, [&](const Vec2& p, const Vec2& a, const Vec2& b) {
+    const auto to = pair_of(kNear, wall.curve.centre) - pair_of(kNear, p) + point;
+    const auto sign = cross(pair_of(kNear, b) - pair_of(kNear, a), to).sign();
+    known = known && sign && *sign != Sign::zero;
+    return sign.value_or(Sign::zero);
+  });
+  return known ? std::optional(place != PlaceOn::outside) : std::nullopt;
 }
 
 }  // namespace
 
-// What joins an arc to its ends is met at other times than its curve.
-FilteredCurve filter_curve(const Ray& ray, const Arc& wall, bool is_left) {
-  if (wall.extent == Arc::Extent::between) return kOpen;
-  const FilteredCurve hit = filter_whole(ray, wall.curve);
-  if (hit.verdict == Verdict::missed) return hit;
-  if (is_left) return kOpen;
-  if (wall.extent == Arc::Extent::whole) return hit;
-  return {Verdict::open, hit.low, kInfinity, Root::none};
+[[gnu::flatten]] FilteredCurve filter_curve(const Ray& ray, const Arc& wall, Root left) {
+  if (is_departed_for_good(wall, left)) return kMissed;
+  if (wall.extent == Arc::Extent::between)
+    for (const Vec2& end : {wall.from, wall.to})
+      if (!passes_by_joint(ray, wall.curve, end)) return kOpen;
+  const auto time = curve_time(kNear, ray, wall.curve);
+  const auto chord = time.q.sign();
+  if (chord == Sign::negative) return kMissed;
+  const Near half = chord ? square_root(time.q) : either_root(time.q);
+  for (const Root root : {Root::first, Root::second}) {
+    const Near t = (root == Root::first ? time.b - half : time.b + half) / time.a;
+    if (root == left || t.high() < 0) continue;
+    const bool ahead = chord && t.low() > 0;
+    const auto between = ahead ? crosses_between(ray, wall, root) : std::nullopt;
+    if (!between) return {Verdict::open, t.low(), kInfinity, Root::none};
+    if (*between) return {Verdict::sure, t.low(), t.high(), root};
+  }
+  return kMissed;
 }
 
 // By its control points: a polynomial has no more roots than its coefficients change signs, and no
 // value beyond them.
-FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, bool is_left) {
+FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, Root left) {
   const auto d = pair_of(kNear, ray.direction), origin = pair_of(kNear, ray.origin);
   const Near speed = dot(d, d);
   double low = kInfinity, high = -kInfinity;
@@ -57,12 +80,12 @@ FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, bool is_left) {
     last = side;
   }
   if (high < 0 || changes == 0) return kMissed;
-  if (is_left) return kOpen;
+  if (left != Root::none) return kOpen;
   const double least = (Near(low) / speed).low(), most = (Near(high) / speed).high();
   if (changes > 1 || !(least > 0)) return {Verdict::open, least, kInfinity, Root::none};
   return {Verdict::sure, least, most, last == Sign::positive ? Root::first : Root::second};
 }
 
-FilteredCurve filter_curve(const Ray&, const Segment&, bool) { return kOpen; }
+FilteredCurve filter_curve(const Ray&, const Segment&, Root) { return kOpen; }
 
 }  // namespace flatray

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: shapes/arc shapes/bezier shapes/capsule shapes/cell shapes/circle shapes/convex shapes/ellipse shapes/import shapes/mushroom shapes/ngon shapes/parabola shapes/penrose formats/obj
+# needs: shapes/arc shapes/bezier shapes/capsule shapes/cell shapes/circle shapes/convex shapes/ellipse shapes/import shapes/lens shapes/mushroom shapes/ngon shapes/parabola shapes/penrose formats/obj
 # README's limits: `hit`, `edge_rays` and the view `intervals` clip rays to every shape that there is.
 source "$(dirname "$0")/lib.sh"
 
@@ -15,6 +15,7 @@ declare -A shapes=(
   [convex]='points = [[-1, -1], [1, -1], [0, 1]]'
   [ellipse]='radii = [2, 1]'
   [import]='file = "outline.obj"'
+  [lens]='height = 2, thickness = 1, radii = [2, 3]'
   [mushroom]='radius = 2, width = 1, height = 2'
   [ngon]='sides = 5, radius = 2'
   [parabola]='vertex = [0, 0], focus = [1, 0], width = 4'

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/curved_path.h"
+
 namespace flatray {
 namespace {
 
@@ -28,6 +30,38 @@ TEST(Walls, LeadAwayToTheSideOnWhichTheirNormalIs) {
   EXPECT_TRUE(leads_away(disc, Sign::positive, out));
   EXPECT_FALSE(leads_away(disc, Sign::positive, tangent) ||
                leads_away(disc, Sign::negative, tangent));
+}
+
+// Arcs that straight edges close, their ends on the curve, inside it and outside: what the half line to the
+// right crosses of both, once or not, is what the clip of a ray from the point tells; points beside each
+// end, on the level of ends and centre, and on the lines between these.
+TEST(Walls, CrossingsOfArcsToTheRightTellTheInside) {
+  const Vec2 centre(1, 1);
+  const Vec2 ends[] = {{5, 0},  {3, 4}, {0, 5}, {-4, 3}, {-5, 0}, {-3, -4}, {0, -5},
+                       {4, -3}, {3, 0}, {0, 4}, {-2, 2}, {-4, 0}, {0, -3},  {2, -2}};
+  int inside = 0;
+  for (const Ellipse& curve : {Ellipse(Circle{centre, 5}), Ellipse(centre, {3, 4}, {-4, 3})})
+    for (const Vec2& one : ends)
+      for (const Vec2& other : ends) {
+        if (cross(one, other) == 0 && one.dot(other) > 0) continue;
+        const Vec2 from = centre + one, to = centre + other;
+        const Arc arc{curve, Arc::Extent::between, from, to};
+        const CurvedPath path{{{from, to, arc, true, 0}, {to, from, std::nullopt, true, 1}}, true};
+        for (double x = -5; x <= 7; x += 1)
+          for (double y = -5; y <= 7; y += 1) {
+            const Vec2 point(x, y);
+            if (place_on(arc, point) != PlaceOn::outside ||
+                place_on(Segment{to, from}, point) != PlaceOn::outside)
+              continue;
+            const bool odd =
+                crosses_to_right(arc, point) != crosses_to_right(Segment{to, from}, point);
+            const std::vector<HitInterval> hits = clip_path({point, {1, 0.3}}, path);
+            const bool truth = !hits.empty() && hits.front().start == StartPlace::inside;
+            ASSERT_EQ(odd, truth) << point << '\n' << from << '\n' << to;
+            inside += odd ? 1 : 0;
+          }
+      }
+  EXPECT_GT(inside, 10000);
 }
 
 TEST(Walls, HoldTheirPointsAndEndsWithoutError) {

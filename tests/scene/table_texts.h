@@ -81,6 +81,9 @@ inline constexpr TableText kTables[] = {
      "}"},
     {"ellipse", "flatray = 1\n[[entity]]\nshape = { ellipse = { radii = [2, 1], @ } }"},
     {"sector", "flatray = 1\n[[entity]]\nshape = { sector = { radius = 1, from = 0, to = 9, @ } }"},
+    {"lens",
+     "flatray = 1\n[[entity]]\nshape = { lens = { height = 1, thickness = 1, radii = [1, 1], @ } "
+     "}"},
     {"mushroom",
      "flatray = 1\n[[entity]]\nshape = { mushroom = { radius = 2, width = 1, height = 1, @ } }"},
     {"bezier",

@@ -216,4 +216,23 @@ bool lies_along(const Arc& one, const Arc& other) {
   return a.centre == b.centre && a.is_circle() && b.is_circle() && a.u == b.u;
 }
 
+// The arc, its joints with it, and the lines from its ends to the centre enclose a piece of the cone. A
+// point on such a line counts as one to the right of it and above, by less than anything.
+bool crosses_to_right(const Arc& wall, const Vec2& point) {
+  const bool within = side_of(wall, point) == Sign::negative;
+  if (wall.extent == Arc::Extent::whole) return within;
+  const Vec2& centre = wall.curve.centre;
+  const auto left_of = [&](const Vec2& end) {
+    const Sign side = orientation(centre, end, point);
+    if (side != Sign::zero) return side == Sign::positive;
+    return end.y() != centre.y() ? end.y() < centre.y() : end.x() > centre.x();
+  };
+  const bool past_from = left_of(wall.from), before_to = !left_of(wall.to);
+  const bool in_cone = orientation(centre, wall.from, wall.to) == Sign::negative
+                           ? past_from || before_to
+                           : past_from && before_to;
+  return (within && in_cone) != (crosses_to_right(Segment{centre, wall.from}, point) !=
+                                 crosses_to_right(Segment{wall.to, centre}, point));
+}
+
 }  // namespace flatray

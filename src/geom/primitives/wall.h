@@ -161,11 +161,10 @@ std::optional<Circle> whole_circle(const Wall&) {
 }
 
 /// Whether the half line to the right of a point crosses a wall an odd number of times, as the
-/// border of a body; of an arc, its whole curve. Exact. Needs   a point that is not on the wall.
+/// border of a body; where it runs through an end, as if it lay higher by less than anything. Exact.
+/// Needs   a point that is not on the wall, and of arcs none that is half a curve.
 bool crosses_to_right(const Segment& wall, const Vec2& point);
-inline bool crosses_to_right(const Arc& wall, const Vec2& point) {
-  return side_of(wall, point) == Sign::negative;
-}
+bool crosses_to_right(const Arc& wall, const Vec2& point);
 bool crosses_to_right(const Bezier& wall, const Vec2& point);
 
 }  // namespace flatray

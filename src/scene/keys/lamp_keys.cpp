@@ -241,9 +241,7 @@ constexpr Key<LightSettings> kLightKeys[] = {
 // Whether light is surely inside or outside of it, by the side of each of its walls.
 bool is_body(const Shape& shape) {
   const PartCounts parts = part_counts(shape);
-  return parts.lines() + parts.crossing_rings == 0 && parts.areas() > 0 &&
-         std::ranges::all_of(shape.arc_paths,
-                             [](const ArcPath& path) { return path.is_ellipse(); });
+  return parts.lines() + parts.crossing_rings == 0 && parts.areas() > 0;
 }
 
 const char* reason_dark(const Scene& scene, const LampLight& light) {
@@ -278,8 +276,8 @@ void expect_body(Builder& builder, ScattererId scatterer, ShapeId shape, const P
   if (scatterer == kNoEntry || scene.scatterers[scatterer]->index(0) == 0 ||
       shape >= scene.shapes.size() || is_body(scene.shapes[shape]))
     return;
-  builder.in.problem(where, "what is of glass here has no inside, or arcs beside straight walls",
-                     "glass is for polygons, circles and whole ellipses");
+  builder.in.problem(where, "what is of glass here has no inside",
+                     "glass is for polygons, circles, ellipses, and what arcs enclose");
 }
 
 }  // namespace

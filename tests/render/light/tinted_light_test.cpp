@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/ngon lamps/beam materials/glass passes/light passes/entities formats/toml
+// needs: shapes/arc shapes/box shapes/capsule shapes/lens shapes/mushroom shapes/ngon shapes/sector lamps/beam materials/glass passes/light passes/entities formats/toml
 // Light that fades in glass, and light of spectra.
 #include <cmath>
 
@@ -31,6 +31,44 @@ TEST(TintedLight, FadesByBeerAndLambert) {
       EXPECT_NEAR(within * a / (1 - left), 1, error) << at << c;
       EXPECT_NEAR(behind / 3.5, left, 1e-5) << at << c;
     }
+  }
+}
+
+// Bodies of arcs and of straight walls, that neither bend nor reflect: what is left of a ray is
+// exp(-length in them / 4), whether it comes from outside, from within, or from a hollow of them.
+TEST(TintedLight, FadesInWhatArcsEnclose) {
+  struct Case {
+    const char* shape;
+    double from, y, length;  // from where the ray goes to the right
+  };
+  const double root = std::sqrt(1 - 0.25), ring = std::sqrt(4 - 0.25) - root;
+  const Case cases[] = {
+      {"capsule = { from = [-1, 0], to = [1, 0], radius = 1 }", -3.5, 0.5, 2 + 2 * root},
+      {"capsule = { from = [-1, 0], to = [1, 0], radius = 1 }", 0.25, 0.5, 0.75 + root},
+      {"capsule = { from = [-1, 0], to = [1, 0], radius = 1 }", -1, 0, 3},
+      {"sector = { radius = 2, inner = 1, from = 0, to = 360 }", -3.5, 0.5, 2 * ring},
+      {"sector = { radius = 2, inner = 1, from = 0, to = 360 }", 0, 0.5, ring},
+      {"sector = { radius = 2, inner = 1, from = 0, to = 360 }", -1.5, 0.5, 1.5 - root + ring},
+      {"sector = { radius = 2, from = 90, to = 360 }", 0.25, 0.5, 0},
+      {"sector = { radius = 2, from = 90, to = 360 }", -0.25, 0.5, 0.25},
+      {"sector = { radius = 2, from = 90, to = 360 }", -0.25, -0.5, 0.25 + std::sqrt(4 - 0.25)},
+      {"arc = { radius = 2, from = 270, to = 90, chord = true }", -1, 0, 2},
+      {"lens = { height = 2, thickness = 0.5, radii = [-1, -1] }", -3.5, 0.5, 2.5 - 2 * root},
+      {"lens = { height = 2, thickness = 0.5, radii = [-1, -1] }", 0, 0.5, 1.25 - root},
+      {"mushroom = { radius = 2, width = 1, height = 1.5 }", -3.5, -0.75, 1},
+      {"mushroom = { radius = 2, width = 1, height = 1.5 }", 0.25, 0.5, std::sqrt(3.75) - 0.25},
+      {"mushroom = { radius = 2, width = 1, height = 1.5 }", 1, -0.25, 0},
+  };
+  for (const Case& one : cases) {
+    const Fluence made =
+        fluence(lit("[[lamp]]\nsource = { ray = {} }\nat = [" + std::to_string(one.from) + ", " +
+                        std::to_string(one.y) + "]\n[[entity]]\nshape = { " + one.shape +
+                        " }\nmaterial = { glass = { index = 1, absorption = 0.25 } }\n",
+                    "rays = 4096"));
+    double behind = 0;
+    for (int y = 0; y < 64; ++y) behind += made.at(60, y);
+    EXPECT_NEAR(behind / 8, std::exp(-0.25 * one.length), 3e-5)
+        << one.shape << one.from << ' ' << one.y;
   }
 }
 

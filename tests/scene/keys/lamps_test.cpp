@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/capsule shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ranges lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass formats/toml
+// needs: shapes/arc shapes/box shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ranges lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass formats/toml
 // Lamps and materials as scenes have them, and what they do with rays.
 #include <cmath>
 
@@ -316,11 +316,11 @@ TEST(Materials, OfCopiesAreOneUnlessTheyAreDrawn) {
 }
 
 TEST(Materials, OfGlassNeedAnInside) {
-  for (const char* shape : {"segment = { from = [0, 0], to = [1, 1] }",
-                            "capsule = { from = [0, 0], to = [1, 0], radius = 1 }"})
+  for (const char* shape :
+       {"segment = { from = [0, 0], to = [1, 1] }", "arc = { radius = 1, from = 0, to = 90 }"})
     expect_problem("flatray = 1\n[[entity]]\nshape = { " + std::string(shape) +
                        " }\nmaterial = { glass = {} }\n",
-                   "has no inside, or arcs beside straight walls");
+                   "what is of glass here has no inside");
   const char* periodic =
       "flatray = 1\n[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\nmaterial = "
       "'periodic'\n[[lamp]]\nsource = { point = {} }\n";

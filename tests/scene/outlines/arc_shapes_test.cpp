@@ -1,4 +1,4 @@
-// needs: shapes/arc shapes/capsule shapes/circle shapes/ellipse shapes/sector
+// needs: shapes/arc shapes/capsule shapes/circle shapes/ellipse shapes/lens shapes/sector
 #include <gtest/gtest.h>
 
 #include "scene/scene_text.h"
@@ -47,6 +47,28 @@ TEST(Shapes, ACapsuleIsTwoHalfCirclesWhateverItsLength) {
   EXPECT_EQ(shape_of("capsule = { from = [1, 1], to = [1, 1], radius = 2 }").circles.size(), 1U);
 }
 
+// A lens goes counter-clockwise round its axis, its vertices as far apart as it is thick.
+TEST(Shapes, ALensHasTheFacesThatItsRadiiSay) {
+  for (const char* radii :
+       {"[3, 4]", "[-3, 4]", "[3, -4]", "[-3, -4]", "[0, 4]", "[3, 0]", "[1, 1]"}) {
+    const Shape shape = shape_of(std::string("lens = { height = 2, thickness = 2.5, radii = ") +
+                                 radii + ", centre = [5, 7] }");
+    const auto& arcs = shape.arc_paths.at(0).arcs;
+    double twice = 0;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const Vec2 a = arcs[i].start() - Vec2(5, 7), b = arcs[i].end() - Vec2(5, 7);
+      twice += cross(a, b) + cross(b, Vec2(arcs[(i + 1) % arcs.size()].start() - Vec2(5, 7)));
+      EXPECT_NEAR(std::fabs(a.y()), 1, 1e-15);
+      const Vec2 vertex = arcs[i].at(arcs[i].from + arcs[i].sweep / 2) - Vec2(5, 7);
+      if (arcs[i].u != Vec2(0, 0)) {
+        EXPECT_EQ(std::fabs(vertex.x()), 1.25) << radii;
+        EXPECT_EQ(vertex.y(), 0) << radii;
+      }
+    }
+    EXPECT_GT(twice, 1) << radii;
+  }
+}
+
 TEST(Shapes, CurvesThatAreNoneAreRefused) {
   const Refused cases[] = {
       {"ellipse = { radii = [1, 0] }", "4:31: error: ellipse.radii are not above 0"},
@@ -57,6 +79,10 @@ TEST(Shapes, CurvesThatAreNoneAreRefused) {
       {"arc = { radius = 0, from = 0, to = 9 }", "arc.radius is 0"},
       {"sector = { radius = 1, inner = 1, from = 0, to = 9 }", "sector.inner does not lie between"},
       {"capsule = { from = [0, 0], to = [1, 0], radius = -1 }", "capsule.radius is -1"},
+      {"lens = { height = 2, thickness = 1, radii = [2, -0.9] }",
+       "less than half as wide as the lens"},
+      {"lens = { height = 2, thickness = 0.9, radii = [1, 0] }",
+       "cross before they come to its rim"},
   };
   expect_refused(cases, [](const std::string& shape) { return refusal(with_shape(shape)); });
 }

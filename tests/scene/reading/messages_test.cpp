@@ -1,4 +1,4 @@
-// needs: shapes/arc shapes/bezier shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/sector shapes/import shapes/mushroom shapes/ngon shapes/parabola shapes/penrose shapes/polygon shapes/polyline shapes/segment shapes/star shapes/text shapes/tokarsky
+// needs: shapes/arc shapes/bezier shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/sector shapes/import shapes/lens shapes/mushroom shapes/ngon shapes/parabola shapes/penrose shapes/polygon shapes/polyline shapes/segment shapes/star shapes/text shapes/tokarsky
 #include <gtest/gtest.h>
 
 #include "base/file.h"

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle materials/glass experiments/mean_free_path experiments/lyapunov experiments/poincare experiments/phase_portion experiments/escape
+// needs: shapes/box shapes/circle shapes/lens materials/glass experiments/mean_free_path experiments/lyapunov experiments/poincare experiments/phase_portion experiments/escape
 // Rooms with glass: orbits are split by chance, with Fresnel's parts, and bent by Snell's law.
 #include <gtest/gtest.h>
 
@@ -79,6 +79,28 @@ TEST(GlassOrbits, LeaveASlabParallelToHowTheyCame) {
     EXPECT_NEAR((bounces[1].out - orbit.direction).norm(), 0, 2e-16);
   }
   EXPECT_GT(through, 30);
+}
+
+// A face that is flat lets what comes straight at it through; at the round one, a circle, the sine of the angle
+// of incidence is the height by the radius.
+TEST(GlassOrbits, LeaveALensAsSnellsLawSays) {
+  const Scene scene = box_with(
+      "lens = { centre = [0.5, 0.5], height = 0.6, thickness = 0.2, radii = [0, 0.5] }", "1.5");
+  const Room rooms(scene);
+  int through = 0;
+  for (const double height : {0.25, 0.1, 0.0, -0.2}) {
+    for (std::uint64_t chance = 0; chance < 20; ++chance) {
+      const Orbit orbit = orbit_of(rooms, {{0.1, 0.5 + height}, {1, 0}}, 2, chance);
+      const auto& bounces = orbit.bounces;
+      if (!bounces.at(0).is_refracted() || !bounces.at(1).is_refracted()) continue;
+      ++through;
+      const double sine = height / 0.5, bend = std::asin(1.5 * sine) - std::asin(sine);
+      EXPECT_NEAR(bounces[0].out.y(), 0, 1e-15);
+      EXPECT_NEAR(bounces[1].point.x(), 0.1 + std::sqrt(0.25 - height * height), 1e-15);
+      EXPECT_NEAR(bounces[1].out.y(), -std::sin(bend), 1e-14) << height;
+    }
+  }
+  EXPECT_GT(through, 60);
 }
 
 TEST(GlassOrbits, GoBackTheWayTheyCame) {
