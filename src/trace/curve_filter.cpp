@@ -15,23 +15,26 @@ constexpr FilteredCurve kOpen{Verdict::open, -kInfinity, kInfinity, Root::none};
 // Whether a ray surely passes by what joins an arc's end to its curve: that is no longer than |k| times
 // the way from the centre, where 1 + k is the square of the end's share of the radius.
 bool passes_by_joint(const Ray& ray, const Ellipse& curve, const Vec2& end) {
+  const auto most = [](const Near& x) { return x.size() + x.error(); };
   const auto d = pair_of(kNear, ray.direction), e = pair_of(kNear, end);
   const auto from_centre = e - pair_of(kNear, curve.centre);
-  const Near size = form_size(kNear, curve);
-  const Near k = curve_power(kNear, curve, from_centre) / (size * size);
-  const Near beside = cross(d, e - pair_of(kNear, ray.origin)), across = cross(d, from_centre) * k;
-  return k.size() + k.error() < 0.25 &&
-         beside.size() - beside.error() > 1.0625 * (across.size() + across.error());
+  const Near size = form_size(kNear, curve), square = size * size;
+  const double k_square = most(curve_power(kNear, curve, from_centre));
+  const Near beside = cross(d, e - pair_of(kNear, ray.origin)), across = cross(d, from_centre);
+  const double least = square.size() - square.error();
+  return k_square < 0.25 * least &&
+         (beside.size() - beside.error()) * least > 1.0625 * most(across) * k_square;
 }
 
 // Whether the point at which a ray crosses an arc's curve is between its ends.
-std::optional<bool> crosses_between(const Ray& ray, const Arc& wall, Root root) {
+std::optional<bool> crosses_between(const Ray& ray, const Arc& wall, const Near& t) {
   if (wall.extent == Arc::Extent::whole) return true;
-  const auto point = curve_point(kNear, ray, wall.curve, root_sign(root)).from_centre;
+  const auto o = pair_of(kNear, ray.origin), d = pair_of(kNear, ray.direction);
+  const Pair<Near> point{o.x + d.x * t, o.y + d.y * t};
   bool known = true;
   const PlaceOn place = place_in_cone(wall, [&](const Vec2& p, const Vec2& a, const Vec2& b) {
-    const auto to = pair_of(kNear, wall.curve.centre) - pair_of(kNear, p) + point;
-    const auto sign = cross(pair_of(kNear, b) - pair_of(kNear, a), to).sign();
+    const auto edge = pair_of(kNear, b) - pair_of(kNear, a);
+    const auto sign = cross(edge, point - pair_of(kNear, p)).sign();
     known = known && sign && *sign != Sign::zero;
     return sign.value_or(Sign::zero);
   });
@@ -53,7 +56,7 @@ std::optional<bool> crosses_between(const Ray& ray, const Arc& wall, Root root) 
     const Near t = (root == Root::first ? time.b - half : time.b + half) / time.a;
     if (root == left || t.high() < 0) continue;
     const bool ahead = chord && t.low() > 0;
-    const auto between = ahead ? crosses_between(ray, wall, root) : std::nullopt;
+    const auto between = ahead ? crosses_between(ray, wall, t) : std::nullopt;
     if (!between) return {Verdict::open, t.low(), kInfinity, Root::none};
     if (*between) return {Verdict::sure, t.low(), t.high(), root};
   }
