@@ -19,27 +19,19 @@ struct Pieces {
   BoxTree tree;
 };
 
-Ray edge_of(const std::vector<Vec2>& ring, std::size_t i) {
-  return {ring[i], edge_end(ring, i) - ring[i]};
-}
-
 Pieces pieces(const Shape& shape, const Pose& place) {
   std::vector<std::vector<Vec2>> rings;
   std::vector<Bounds> boxes(shape.piece_count());
   for (std::size_t piece = 0; piece < boxes.size(); ++piece) {
     const std::vector<Vec2>& ring = rings.emplace_back(posed_piece(shape, piece, place));
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Ray edge = edge_of(ring, i);
-      boxes[piece].add(edge.origin);
-      boxes[piece].add(edge.origin + edge.direction);  // rounded, so as the edge ends
-    }
+    for (const Vec2& corner : ring) boxes[piece].add(corner);
   }
   return {std::move(rings), boxes, BoxTree(boxes)};
 }
 
 bool any_edge_hits(const std::vector<Vec2>& from, const std::vector<Vec2>& against) {
   for (std::size_t i = 0; i < from.size(); ++i)
-    if (clip_convex(edge_of(from, i), against, kSegment)) return true;
+    if (clip_edge({from[i], edge_end(from, i)}, against)) return true;
   return false;
 }
 

@@ -34,6 +34,13 @@ HitInterval clip_ellipse(const Ray& ray, const Ellipse& ellipse, Range within = 
 /// Part of `ray` on a closed segment: touch where they cross, along where they overlap.
 HitInterval clip_segment(const Ray& ray, const Segment& segment, Range within = kRay);
 
+/// Part of an edge inside a closed convex polygon, an ellipse, or on a segment, t from 0 at its first point
+/// to 1 at its second. It is clipped as it is, whose direction may be no double: a ray to the second point
+/// against a shape that moves there from the origin. Error as above.
+HitInterval clip_edge(const Segment& edge, std::span<const Vec2> vertices, Range within = kSegment);
+HitInterval clip_edge(const Segment& edge, const Ellipse& ellipse, Range within = kSegment);
+HitInterval clip_edge(const Segment& edge, const Segment& segment, Range within = kSegment);
+
 /// One edge of a clip as the paper's table 3 shows it, for people: see `flatray hit`.
 struct ClipStep {
   int edge;
@@ -46,5 +53,8 @@ struct ClipStep {
 /// The same clip edge by edge. Stops after the edge that makes it a miss.
 std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices,
                                  Range within = kRay);
+/// Those of clip_edge.
+std::vector<ClipStep> clip_edge_steps(const Segment& edge, std::span<const Vec2> vertices,
+                                      Range within = kSegment);
 
 }  // namespace flatray

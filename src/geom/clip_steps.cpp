@@ -56,26 +56,24 @@ class Candidate {
 };
 
 // The row of one edge; `turn` is negative for a clockwise polygon, whose normals it turns outward.
-ClipStep step_of_edge(const Ray& ray, const Segment& edge, Sign turn) {
+ClipStep step_of_edge(const Ray& ray, const Vec2& velocity, const Segment& edge, Sign turn) {
   const double way = turn == Sign::negative ? -1 : 1;
-  const Vec2 zero(0, 0);
   const auto numer = [&](const auto& number) {
     return determinant(number, ray.origin, edge.a, edge.a, edge.b) * number(way);
   };
   const auto denom = [&](const auto& number) {
-    return determinant(number, zero, ray.direction, edge.a, edge.b) * number(way);
+    return determinant(number, velocity, ray.direction, edge.a, edge.b) * number(way);
   };
   ClipStep step{};
   step.numerator = round_once(numer);
   step.denominator = round_once(denom);
   step.kind = static_cast<int>(decide(denom));
-  if (step.kind != 0) step.t = HitTime::on_line(ray, edge).nearest().t;
   return step;
 }
 
-}  // namespace
-
-std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices, Range within) {
+// All but the last candidate, where none is a miss, of a ray against a polygon that moves.
+std::vector<ClipStep> steps_of(const Ray& ray, const Vec2& velocity, std::span<const Vec2> vertices,
+                               Range within) {
   std::vector<ClipStep> steps;
   const Sign turn = ring_orientation(vertices);
   Candidate candidate(within);
@@ -83,17 +81,35 @@ std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices,
     const Segment edge{vertices[i], edge_end(vertices, i)};
     if (edge.a == edge.b) continue;
     const Sign side = orientation(edge.a, edge.b, ray.origin);
-    ClipStep step = step_of_edge(ray, edge, turn);
+    ClipStep step = step_of_edge(ray, velocity, edge, turn);
+    const HitTime time = HitTime::on_moving_line(ray, edge.a, edge.a, edge.b, velocity);
+    if (step.kind != 0) step.t = time.nearest().t;
     step.edge = static_cast<int>(i);
     candidate.add(step.edge, turn == Sign::negative ? -side : side, static_cast<Sign>(step.kind),
-                  HitTime::on_line(ray, edge));
+                  time);
     step.candidate = candidate.interval();
     steps.push_back(step);
-    if (step.candidate.kind == HitClass::miss) return steps;
+    if (step.candidate.kind == HitClass::miss) break;
   }
-  // A polygon without area also ends where its edges do, and the last row is always the answer.
-  if (!steps.empty()) steps.back().candidate = clip_convex(ray, vertices, within);
   return steps;
+}
+
+// A polygon without area also ends where its edges do, and the last row is always the answer.
+std::vector<ClipStep> ended(std::vector<ClipStep> steps, const HitInterval& answer) {
+  if (!steps.empty() && steps.back().candidate) steps.back().candidate = answer;
+  return steps;
+}
+
+}  // namespace
+
+std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices, Range within) {
+  return ended(steps_of(ray, {0, 0}, vertices, within), clip_convex(ray, vertices, within));
+}
+
+std::vector<ClipStep> clip_edge_steps(const Segment& edge, std::span<const Vec2> vertices,
+                                      Range within) {
+  return ended(steps_of({edge.a, edge.b}, edge.a, vertices, within),
+               clip_edge(edge, vertices, within));
 }
 
 }  // namespace flatray

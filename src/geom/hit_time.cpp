@@ -35,8 +35,8 @@ HitTime HitTime::on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from,
   return time;
 }
 
-HitTime HitTime::on_curve(const Ray& ray, const Ellipse& curve, Root root) {
-  HitTime time = on_line(ray, curve.centre, curve.u, curve.v);
+HitTime HitTime::on_curve(const Ray& ray, const Ellipse& curve, Root root, const Vec2& velocity) {
+  HitTime time = on_moving_line(ray, curve.centre, curve.u, curve.v, velocity);
   time.root_ = root_sign(root);
   return time;
 }
@@ -54,6 +54,16 @@ HitTime HitTime::on_curve(const Ray& ray, const Bezier& curve, const BezierRoot&
   time.ray_ = ray;
   time.bezier_ = std::make_shared<const OnBezier>(OnBezier{curve, root, t});
   return time;
+}
+
+template <class Make>
+auto HitTime::direction(const Make& number) const {
+  const auto d = pair_of(number, ray_.direction);
+  return velocity_ == Vec2(0, 0) ? d : d - pair_of(number, velocity_);
+}
+template <class Make>
+auto HitTime::time_of_curve(const Make& number) const {
+  return curve_time(number, ray_.origin, direction(number), curve());
 }
 
 Sign HitTime::sign() const { return sign_of(compare(0)); }
@@ -79,13 +89,13 @@ std::strong_ordering HitTime::compare(double other) const {
   // Between the roots the point at `other` is inside the curve; outside, the mid-point of the
   // chord tells the side.
   const Sign outside = decide([&](const auto& number) {
-    return curve_power(number, curve(),
-                       pair_of(number, ray_.origin) +
-                           number(other) * pair_of(number, ray_.direction) - pair_of(number, p_));
+    return curve_power(
+        number, curve(),
+        pair_of(number, ray_.origin) + number(other) * direction(number) - pair_of(number, p_));
   });
   if (outside == Sign::negative) return order(static_cast<Sign>(root_));
   const Sign middle = decide([&](const auto& number) {
-    const auto time = curve_time(number, ray_, curve());
+    const auto time = time_of_curve(number);
     return time.b - number(other) * time.a;
   });
   if (outside == Sign::zero && static_cast<int>(middle) != root_)
@@ -95,7 +105,7 @@ std::strong_ordering HitTime::compare(double other) const {
 
 template <class Make>
 auto HitTime::in(const Make& number) const -> decltype(number(0.0)) {
-  if (root_ != 0) return curve_time(number, ray_, curve()).root(root_);
+  if (root_ != 0) return time_of_curve(number).root(root_);
   const auto time = line_time(number, ray_, p_, from_, to_, velocity_);
   return time.numer / time.denom;
 }
@@ -103,7 +113,7 @@ auto HitTime::in(const Make& number) const -> decltype(number(0.0)) {
 Bounded HitTime::approximate() const { return bezier_ ? bezier_->time : in(kBounded); }
 
 Quadratic HitTime::exact() const {
-  if (root_ != 0) return root_of(curve_time(kRational, ray_, curve()), root_);
+  if (root_ != 0) return root_of(time_of_curve(kRational), root_);
   const auto time = line_time(kRational, ray_, p_, from_, to_, velocity_);
   return time.numer / time.denom;
 }
@@ -170,11 +180,15 @@ std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment) {
   return SegmentHit{part, HitTime::on_line(ray, segment)};
 }
 
-std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve) {
-  const Sign chord = decide([&](const auto& number) { return curve_time(number, ray, curve).q; });
+std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve, const Vec2& velocity) {
+  const bool rests = velocity == Vec2(0, 0);
+  const Sign chord = decide([&](const auto& number) {
+    const auto d = pair_of(number, ray.direction);
+    return curve_time(number, ray.origin, rests ? d : d - pair_of(number, velocity), curve).q;
+  });
   if (chord == Sign::negative) return std::nullopt;
-  return CurveHit{chord == Sign::zero, HitTime::on_curve(ray, curve, Root::first),
-                  HitTime::on_curve(ray, curve, Root::second)};
+  return CurveHit{chord == Sign::zero, HitTime::on_curve(ray, curve, Root::first, velocity),
+                  HitTime::on_curve(ray, curve, Root::second, velocity)};
 }
 
 std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec2& end) {

@@ -40,9 +40,10 @@ class HitTime {
   static HitTime abreast(const Ray& ray, const Vec2& point) {
     return on_line(ray, point, {0, 0}, {-ray.direction.y(), ray.direction.x()});
   }
-  /// Where `ray` crosses an ellipse: in the second root where `root` is that, else in the first.
-  /// Needs a line that meets it, and a direction that is not zero.
-  static HitTime on_curve(const Ray& ray, const Ellipse& curve, Root root);
+  /// Where `ray` crosses an ellipse, which may move: in the second root where `root` is that, else in
+  /// the first. Needs a line that meets it, and a direction that is not `velocity`.
+  static HitTime on_curve(const Ray& ray, const Ellipse& curve, Root root,
+                          const Vec2& velocity = {0, 0});
   /// Where `ray` meets a Bezier curve, by one of its roots.
   static HitTime on_curve(const Ray& ray, const Bezier& curve, const BezierRoot& root);
 
@@ -64,6 +65,10 @@ class HitTime {
   friend std::strong_ordering compare(const HitTime& a, const HitTime& b);
   template <class Make>
   auto in(const Make& number) const -> decltype(number(0.0));  // not on a Bezier curve
+  template <class Make>
+  auto time_of_curve(const Make& number) const;
+  template <class Make>
+  auto direction(const Make& number) const;  // as seen from what moves
   Bounded approximate() const;
   Sign denominator() const;  // of a line
 
@@ -71,7 +76,7 @@ class HitTime {
   Ellipse curve() const { return {p_, from_, to_}; }
 
   Vec2 p_, from_, to_;   // the line; or centre and half-diameters of a curve
-  Vec2 velocity_{0, 0};  // of the line
+  Vec2 velocity_{0, 0};  // of the line or ellipse
   int root_ = 0;         // 0 for a line
   struct OnBezier;
   std::shared_ptr<const OnBezier> bezier_;  // instead of all but the ray
@@ -92,14 +97,15 @@ struct SegmentHit {
 std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment);
 
 /// Where a ray's line meets a whole ellipse, the curve itself (t of any sign); both the same where
-/// it is tangent.
+/// it is tangent. The ellipse may move.
 struct CurveHit {
   bool tangent;
   HitTime first, second;
 };
 
-/// nullopt where the line misses the curve. Exact. Needs a direction that is not zero.
-std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve);
+/// nullopt where the line misses the curve. Exact. Needs a direction that is not `velocity`.
+std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve,
+                                  const Vec2& velocity = {0, 0});
 
 /// Where a ray's line meets the joint of an arc at `end`, the piece of the line to the centre
 /// between that end and the curve (see Arc); nullopt where it misses the joint, or the end is on

@@ -4,6 +4,8 @@
 
 #include "geom/clip.h"
 #include "geom/clip_cases.h"
+#include "geom/predicates.h"
+#include "trace/random_rays.h"
 
 namespace flatray {
 namespace {
@@ -103,6 +105,43 @@ TEST(ClipLaws, TheTableEndsInTheAnswer) {
       EXPECT_GE(steps[i].candidate.t_exit, hit.t_exit);
     }
   });
+}
+
+// Edges whose ends are any doubles, and whose direction is none: what begins or ends in a corner of a
+// triangle, or on a circle, meets it there, and either way round in the same points.
+TEST(ClipLaws, EdgesAreClippedAsTheyAre) {
+  Draws draws(11);
+  int rounded = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec2 corner(draws.spread(-3, 3), draws.spread(-3, 3));
+    const Vec2 a(draws.spread(-3, 3), draws.spread(-3, 3));
+    const std::vector<Vec2> triangle{corner,
+                                     {draws.spread(-3, 3), draws.spread(-3, 3)},
+                                     {draws.spread(-3, 3), draws.spread(-3, 3)}};
+    if (orientation(triangle[0], triangle[1], triangle[2]) == Sign::zero) continue;
+    const Segment there{a, corner}, back{corner, a};
+    const HitInterval hit = clip_edge(there, triangle), again = clip_edge(back, triangle);
+    ASSERT_TRUE(hit && again) << i;
+    ASSERT_EQ(hit.t_exit, 1) << i;
+    ASSERT_EQ(again.t_enter, 0) << i;
+    ASSERT_EQ(hit.kind, again.kind) << i;
+    ASSERT_EQ(clip_edge_steps(there, triangle).back().candidate.kind, hit.kind) << i;
+    // A ray in the rounded direction is not always told so.
+    const HitInterval near = clip_convex({a, corner - a}, triangle, kSegment);
+    rounded += near.kind == hit.kind && near.t_exit == 1 ? 0 : 1;
+    const double size = draws.whole(1, 9);
+    const Vec2 centre(draws.whole(-9, 9), draws.whole(-9, 9)), on = centre + size * Vec2(3, -4);
+    const Ellipse circle(Circle{centre, 5 * size});
+    const HitInterval round = clip_edge({a, on}, circle), from = clip_edge({on, a}, circle);
+    ASSERT_TRUE(round && from) << i;
+    ASSERT_EQ(round.t_exit, 1) << i;
+    ASSERT_EQ(from.t_enter, 0) << i;
+    ASSERT_EQ(round.kind, from.kind) << i;
+    ASSERT_EQ(round.kind == HitClass::touch,
+              curve_side(a, circle) == Sign::positive && (on - a).dot(on - centre) <= 0)
+        << i;
+  }
+  EXPECT_GT(rounded, 100);
 }
 
 }  // namespace

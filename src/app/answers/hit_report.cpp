@@ -23,12 +23,17 @@ std::string short_fraction(const Rational& value) {
 
 // t at which the line of a ray meets the line of an edge: n.(p - o) / n.d with n = (e.y, -e.x).
 // Needs   they are not parallel.
-Rational exact_time(const Ray& ray, const Segment& edge) {
+Rational exact_time(const NamedRay& named, const Segment& edge) {
+  const Ray& ray = named.ray;
+  const auto direction = [&](int axis) {
+    return named.edge ? Rational(named.edge->b[axis]) - Rational(named.edge->a[axis])
+                      : Rational(ray.direction[axis]);
+  };
   const Rational nx = Rational(edge.b.y()) - Rational(edge.a.y());
   const Rational ny = Rational(edge.a.x()) - Rational(edge.b.x());
   const Rational numerator = nx * (Rational(edge.a.x()) - Rational(ray.origin.x())) +
                              ny * (Rational(edge.a.y()) - Rational(ray.origin.y()));
-  return numerator / (nx * Rational(ray.direction.x()) + ny * Rational(ray.direction.y()));
+  return numerator / (nx * direction(0) + ny * direction(1));
 }
 
 std::string entity_name(const Scene& scene, std::uint32_t entity) {
@@ -52,7 +57,7 @@ struct Piece {
   }
 };
 
-HitStep as_step(const ClipStep& step, const Ray& ray, const Piece& piece) {
+HitStep as_step(const ClipStep& step, const NamedRay& ray, const Piece& piece) {
   const int number = piece.number(step.edge);
   HitStep out{.edge = number == kNoEdge ? std::nullopt : std::optional(number),
               .numerator = step.numerator,
@@ -72,13 +77,15 @@ HitStep as_step(const ClipStep& step, const Ray& ray, const Piece& piece) {
 
 HitReport clip_piece(const NamedRay& ray, std::string against, const Piece& piece, Range within) {
   HitReport report{ray, std::move(against), within, {}, {}, "", ""};
-  for (const ClipStep& step : clip_steps(ray.ray, piece.vertices, within))
-    report.steps.push_back(as_step(step, ray.ray, piece));
-  report.hit = clip_convex(ray.ray, piece.vertices, within);
+  for (const ClipStep& step : ray.edge ? clip_edge_steps(*ray.edge, piece.vertices, within)
+                                       : clip_steps(ray.ray, piece.vertices, within))
+    report.steps.push_back(as_step(step, ray, piece));
+  report.hit = ray.edge ? clip_edge(*ray.edge, piece.vertices, within)
+                        : clip_convex(ray.ray, piece.vertices, within);
   const auto exact = [&](int edge) {
     return edge == kNoEdge
                ? std::string()
-               : short_fraction(exact_time(ray.ray, piece.edge(static_cast<std::size_t>(edge))));
+               : short_fraction(exact_time(ray, piece.edge(static_cast<std::size_t>(edge))));
   };
   report.exact_enter = exact(report.hit.edge_enter);
   report.exact_exit = exact(report.hit.edge_exit);
@@ -102,20 +109,16 @@ std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std
       edges, [](const OutlineEdge& a, const OutlineEdge& b) { return a.number < b.number; });
   std::vector<NamedRay> rays;
   const std::string name = entity_name(scene, entity);
-  for (const OutlineEdge& edge : edges) {
-    const Vec2 a = place(shape.vertices[edge.from]);
-    rays.push_back(
-        {fmt::format("{} edge {}", name, edge.number), {a, place(shape.vertices[edge.to]) - a}});
-  }
-  for (std::size_t i = 0; i < shape.segments.size(); ++i) {
-    const Vec2 a = place(shape.segments[i].a);
-    rays.push_back({fmt::format("{} segment {}", name, i), {a, place(shape.segments[i].b) - a}});
-  }
+  const auto add = [&](const char* what, auto number, const Segment& edge) {
+    rays.push_back({fmt::format("{} {} {}", name, what, number), {edge.a, edge.b - edge.a}, edge});
+  };
+  for (const OutlineEdge& edge : edges)
+    add("edge", edge.number, {place(shape.vertices[edge.from]), place(shape.vertices[edge.to])});
+  for (std::size_t i = 0; i < shape.segments.size(); ++i)
+    add("segment", i, {place(shape.segments[i].a), place(shape.segments[i].b)});
   for (const ArcPath& path : shape.arc_paths)
     for (const PathEdge& edge : path_in_world(path, place).edges)
-      if (!edge.arc)
-        rays.push_back(
-            {fmt::format("{} edge {}", name, edge.number), {edge.from, edge.to - edge.from}});
+      if (!edge.arc) add("edge", edge.number, {edge.from, edge.to});
   return rays;
 }
 
@@ -133,12 +136,16 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
   const auto add = [&](const char* what, std::size_t i, const HitInterval& hit) {
     reports.push_back({ray, fmt::format("{} {} {}", name, what, i), within, {}, hit, "", ""});
   };
+  const auto clip = [&](const Ellipse& ellipse) {
+    return ray.edge ? clip_edge(*ray.edge, ellipse, within)
+                    : clip_ellipse(ray.ray, ellipse, within);
+  };
   for (std::size_t i = 0; i < shape.circles.size(); ++i)
-    add("circle", i, clip_circle(ray.ray, posed(shape.circles[i], place), within));
+    add("circle", i, clip(posed(shape.circles[i], place)));
   std::size_t ellipses = 0, parts = 0;
   for (const ArcPath& path : shape.arc_paths) {
     if (path.is_ellipse()) {
-      add("ellipse", ellipses++, clip_ellipse(ray.ray, curve_of(path.arcs.front(), place), within));
+      add("ellipse", ellipses++, clip(curve_of(path.arcs.front(), place)));
       continue;
     }
     std::vector<HitInterval> hits = clip_path(ray.ray, path_in_world(path, place), within);
@@ -155,9 +162,11 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
     if (hits.empty()) hits.emplace_back();
     for (const HitInterval& hit : hits) add("curve", i, hit);
   }
-  for (std::size_t i = 0; i < shape.segments.size(); ++i)
+  for (std::size_t i = 0; i < shape.segments.size(); ++i) {
+    const Segment segment{place(shape.segments[i].a), place(shape.segments[i].b)};
     add("segment", i,
-        clip_segment(ray.ray, {place(shape.segments[i].a), place(shape.segments[i].b)}, within));
+        ray.edge ? clip_edge(*ray.edge, segment, within) : clip_segment(ray.ray, segment, within));
+  }
   return reports;
 }
 

@@ -13,6 +13,8 @@ namespace flatray {
 struct NamedRay {
   std::string name;
   Ray ray;
+  std::optional<Segment>
+      edge{};  ///< whose ray it is: clipped as it is, without a rounded direction
 };
 
 /// One edge of a clip: a line of the paper's table 3.

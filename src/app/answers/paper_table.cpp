@@ -109,7 +109,7 @@ Shown table_five(const Segment& ray, const std::array<Segment, 4>& edges) {
 int misses(const Ring& from, const Ring& against) {
   int count = 0;
   for (std::size_t i = 0; i < from.size(); ++i)
-    if (!clip_convex({from[i], from[(i + 1) % from.size()] - from[i]}, against, kSegment)) ++count;
+    if (!clip_edge({from[i], from[(i + 1) % from.size()]}, against)) ++count;
   return count;
 }
 

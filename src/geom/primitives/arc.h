@@ -107,11 +107,16 @@ CurveTime<Number> chord_time(const Pair<Number>& d, const Pair<Number>& w, const
   const Number r2 = r * r, a = dot(d, d), k = cross(d, w);
   return {a, dot(w, d), r2 * a - k * k, dot(w, w) - r2};
 }
+template <class Make, class Number>
+auto curve_time(const Make& number, const Vec2& origin, const Pair<Number>& direction,
+                const Ellipse& curve) {
+  const auto to = pair_of(number, curve.centre) - pair_of(number, origin);
+  return chord_time(curve_form(number, curve, direction), curve_form(number, curve, to),
+                    form_size(number, curve));
+}
 template <class Make>
 auto curve_time(const Make& number, const Ray& ray, const Ellipse& curve) {
-  const auto to = pair_of(number, curve.centre) - pair_of(number, ray.origin);
-  return chord_time(curve_form(number, curve, pair_of(number, ray.direction)),
-                    curve_form(number, curve, to), form_size(number, curve));
+  return curve_time(number, ray.origin, pair_of(number, ray.direction), curve);
 }
 
 /// The point at which a ray crosses a curve, in the second root (s = 1) or the first (-1), as seen

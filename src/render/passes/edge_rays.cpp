@@ -4,9 +4,9 @@
 #include "geom/box_tree.h"
 #include "geom/clip.h"
 #include "geom/interval_set.h"
+#include "geom/primitives/wall.h"
 #include "render/pass.h"
 #include "scene/outlines/outline.h"
-#include "trace/hit_intervals.h"
 
 namespace flatray {
 namespace {
@@ -29,22 +29,18 @@ InWorld in_world(const DrawContext& context, std::uint32_t entity) {
           entity_pose(context.state, entity)};
 }
 
-// Straight outline edges as rays whose t = 1 is the edge's end.
-std::vector<Ray> outline_rays(const InWorld& thing) {
-  std::vector<Ray> rays;
+// Straight outline edges.
+std::vector<Segment> outline_edges(const InWorld& thing) {
+  std::vector<Segment> edges;
   const Shape& shape = thing.shape;
-  for (const OutlineEdge& edge : outline(shape)) {
-    const Vec2 a = thing.pose(shape.vertices[edge.from]);
-    rays.push_back({a, thing.pose(shape.vertices[edge.to]) - a});
-  }
-  for (const Segment& segment : shape.segments) {
-    const Vec2 a = thing.pose(segment.a);
-    rays.push_back({a, thing.pose(segment.b) - a});
-  }
+  for (const OutlineEdge& edge : outline(shape))
+    edges.push_back({thing.pose(shape.vertices[edge.from]), thing.pose(shape.vertices[edge.to])});
+  for (const Segment& segment : shape.segments)
+    edges.push_back({thing.pose(segment.a), thing.pose(segment.b)});
   for (const ArcPath& path : shape.arc_paths)
     for (const PathEdge& edge : path_in_world(path, thing.pose).edges)
-      if (!edge.arc) rays.push_back({edge.from, edge.to - edge.from});
-  return rays;
+      if (!edge.arc) edges.push_back({edge.from, edge.to});
+  return edges;
 }
 
 // What the rays find, as things to draw.
@@ -52,59 +48,48 @@ struct Found {
   std::vector<Segment> inside;
   std::vector<Vec2> enter, exit;
 
-  void add(const Ray& ray, const Range& part) {
-    const Vec2 a = ray.origin + part.low * ray.direction,
-               b = ray.origin + part.high * ray.direction;
+  void add(const Segment& edge, const Range& part) {
+    const Vec2 way = edge.b - edge.a, a = edge.a + part.low * way, b = edge.a + part.high * way;
     inside.push_back({a, b});
     if (part.low > 0) enter.push_back(a);
     if (part.high < 1) exit.push_back(b);
   }
 };
 
-// Rays of one entity by their boxes. Rounding an end is monotone, so that no box of doubles tells two apart
-// that meet.
-BoxTree tree_of(std::span<const Ray> rays) {
-  std::vector<Bounds> boxes(rays.size());
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    boxes[i].add(rays[i].origin);
-    boxes[i].add(rays[i].origin + rays[i].direction);
-  }
+BoxTree tree_of(std::span<const Segment> edges) {
+  std::vector<Bounds> boxes(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) boxes[i] = bounds_of(edges[i]);
   return BoxTree(std::move(boxes));
 }
 
-Found clip_all(std::span<const Ray> rays, const InWorld& against) {
-  const BoxTree boxes = tree_of(rays);
-  std::vector<std::vector<Range>> parts(rays.size());
-  const auto keep = [&](std::size_t ray, const HitInterval& hit) {
-    if (hit) parts[ray].push_back({hit.t_enter, hit.t_exit});
+Found clip_all(std::span<const Segment> edges, const InWorld& against) {
+  const BoxTree boxes = tree_of(edges);
+  std::vector<std::vector<Range>> parts(edges.size());
+  const auto keep = [&](std::size_t edge, const HitInterval& hit) {
+    if (hit) parts[edge].push_back({hit.t_enter, hit.t_exit});
   };
   const Shape& shape = against.shape;
-  std::vector<HitInterval> hits;
   for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
     const std::vector<Vec2> vertices = posed_piece(shape, piece, against.pose);
     Bounds box;
     for (const Vec2& vertex : vertices) box.add(vertex);
-    const std::vector<std::size_t> near = boxes.near(box);
-    if (near.empty()) continue;
-    RayBatch batch;
-    for (const std::size_t i : near) batch.add(rays[i]);
-    hits.resize(near.size());
-    clip_convex_batch(batch, vertices, kSegment, hits);
-    for (std::size_t i = 0; i < near.size(); ++i) keep(near[i], hits[i]);
+    for (const std::size_t i : boxes.near(box)) keep(i, clip_edge(edges[i], vertices));
   }
   for (const Circle& circle : shape.circles) {
     const Circle there = posed(circle, against.pose);
     for (const std::size_t i : boxes.near(curve_bounds(there)))
-      keep(i, clip_circle(rays[i], there, kSegment));
+      keep(i, clip_edge(edges[i], Ellipse(there)));
   }
   for (const ArcPath& path : shape.arc_paths) {
     const CurvedPath there = path_in_world(path, against.pose);
     for (const std::size_t i : boxes.near(bounds_of(there)))
-      for (const HitInterval& hit : clip_path(rays[i], there, kSegment)) keep(i, hit);
+      for (const HitInterval& hit :
+           clip_path({edges[i].a, edges[i].b - edges[i].a}, there, kSegment))
+        keep(i, hit);
   }
   Found found;
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    for (const Range& part : interval_set(std::move(parts[i]))) found.add(rays[i], part);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (const Range& part : interval_set(std::move(parts[i]))) found.add(edges[i], part);
   return found;
 }
 
@@ -113,13 +98,10 @@ void draw(DrawContext& context) {
     if (context.refused()) return;
     if (context.state.entities[pair.from].gone || context.state.entities[pair.against].gone)
       continue;
-    const std::vector<Ray> rays = outline_rays(in_world(context, pair.from));
-    const Found found = clip_all(rays, in_world(context, pair.against));
-    std::vector<Segment> lines;
-    lines.reserve(rays.size());
-    for (const Ray& ray : rays) lines.push_back({ray.origin, ray.origin + ray.direction});
+    const std::vector<Segment> edges = outline_edges(in_world(context, pair.from));
+    const Found found = clip_all(edges, in_world(context, pair.against));
     context.place(pair.layer, pair.order, pair.where);
-    context.add_lines(lines, pair.stroke);
+    context.add_lines(edges, pair.stroke);
     Stroke thick = pair.stroke;
     thick.width *= kInsideWidths;
     thick.colour = pair.inside;
