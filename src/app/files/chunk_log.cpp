@@ -73,6 +73,10 @@ bool possible_leaks(const ChunkLog::Key& key, const ChunkLog::Row& row) {
 
 }  // namespace
 
+void ChunkLog::keep(const Key& key, Row row) {
+  if (!has(key, row.counts.front())) rows_.insert_or_assign(key, std::move(row));
+}
+
 std::string ChunkLog::header(std::size_t counts) const {
   std::string line = "family,tracer,isa,seed,chunk";
   for (std::size_t i = 0; i < counts; ++i) {
@@ -153,7 +157,7 @@ Result<std::string> ChunkLog::read(const std::string& text) {
     ++number;
     auto parsed = number == 1 ? std::nullopt : read_row(line);
     if (wrong == 0 && (number == 1 ? !is_header(line) : !parsed)) wrong = number;
-    if (parsed) rows_.insert(std::move(*parsed));
+    if (parsed) keep(parsed->first, std::move(parsed->second));
     now += (parsed ? padded(line) : header(format_.counts.size())) + "\n";
   });
   if (wrong == 0) return now;
@@ -163,7 +167,7 @@ Result<std::string> ChunkLog::read(const std::string& text) {
 }
 
 Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {
-  rows_.emplace(key, row);
+  keep(key, row);
   if (!journal_) return {};
   if (std::exchange(old_, false)) {
     auto merged = journal_->merge([this](const std::string& text) { return read(text); });

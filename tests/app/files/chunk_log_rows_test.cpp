@@ -26,7 +26,8 @@ class ChunkLogRows : public OwnFolder {
                 std::string::npos);
       return false;
     }
-    EXPECT_TRUE(again->has(key));
+    EXPECT_TRUE(again->has(key, tally.rays));
+    EXPECT_FALSE(again->has(key, tally.rays + 1));
     return true;
   }
 };
@@ -102,6 +103,30 @@ TEST_F(ChunkLogRows, SumsAreOfAllChunksOfTheirKey) {
   EXPECT_EQ(sum.off_by_far[5], 3 * one.off_by_far[5]);
   EXPECT_EQ(sum.worst_ulps, 900U) << "the worst is no sum";
   EXPECT_EQ(sum.first_wrong, "item 3 ray 1");
+}
+
+// A run of a part of a chunk keeps a row, which a run of more does not take for the whole.
+TEST_F(ChunkLogRows, OfAChunkTheRowOfMoreRaysCounts) {
+  const ChunkLog::Key key{oracle::families().front().name, "grid", "avx2", 1, 0};
+  for (const std::uint64_t rays : {10U, 70U, 30U}) {
+    StabilityTally tally;
+    tally.rays = rays;
+    ASSERT_TRUE(StabilityLog::open(folder_.string())->add(key, tally, 0));
+  }
+  auto log = StabilityLog::open(folder_.string());
+  EXPECT_EQ(log->sum(key, 1).rays, 70U);
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> asked;
+  const auto check = [&](std::uint64_t first, std::uint64_t count, const auto&) {
+    asked.emplace_back(first, count);
+    StabilityTally tally;
+    tally.rays = count;
+    return std::vector{tally};
+  };
+  ASSERT_TRUE(log->run({key}, {60, 100}, 1, check));
+  EXPECT_TRUE(asked.empty()) << "70 are there";
+  ASSERT_TRUE(log->run({key}, {230, 100}, 1, check));
+  EXPECT_EQ(asked, (decltype(asked){{0, 100}, {100, 100}, {200, 30}}));
+  EXPECT_EQ(log->sum(key, 3).rays, 230U);
 }
 
 TEST_F(ChunkLogRows, ColumnsAreNamedAndSecondsStandAfterTheFirstSix) {
