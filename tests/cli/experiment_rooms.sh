@@ -63,6 +63,11 @@ run 0 experiment mean-free-path "$sinai" --count 1000 -o lists --sweep 'film.siz
 (($(grep -c 'mean_free_path' lists/sweep.csv) == 2)) || fail "two lists were asked for"
 run 0 experiment mean-free-path "$sinai" --count 1000 -o far --sweep seed=1234567890123..1234567890124:1
 grep -q ^1234567890124,mean_free_path far/sweep.csv || fail "a seed has lost digits"
+# What a scene is warned of is told once, not for each value.
+{ cat "$sinai"; printf '[[entity]]\nshape = { circle = { radius = 0.1 } }\nat = [9, 9]\nfill = "none"\n'; } > warned.toml
+run 0 experiment mean-free-path warned.toml --count 1000 -o warned --sweep seed=1,2,3 --json
+(($(grep -c 'warning: the entity draws nothing' "$work/err.txt") == 1)) || fail "a warning is told $(grep -c warning: "$work/err.txt") times"
+(($(grep -o 'the entity draws nothing' "$work/out.txt" | wc -l) == 1)) || fail 'JSON has a warning for each value'
 run 2 experiment divergence "$sinai" --apart 0
 run 2 experiment escape "$sinai" --map angel
 says err "angle"
