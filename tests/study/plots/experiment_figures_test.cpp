@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <regex>
+#include <sstream>
 
 #include "image/png.h"
 #include "study/chamber_scenes.h"
@@ -96,6 +97,26 @@ TEST(ExperimentFigures, TheBarOfASectionCountsBounces) {
   const std::size_t bar = text.rfind("<image");
   EXPECT_NE(text.find(">bounces in a pixel</text>", bar), std::string::npos);
   EXPECT_NE(text.find(">" + std::to_string(most) + "</text>", bar), std::string::npos) << most;
+}
+
+// Gone are the pixels whose orbits escape, and those whose orbits are absorbed.
+TEST(ExperimentFigures, EscapeTimesCountPixels) {
+  const Scene scene = scene_of(
+      "film = { size = [20, 20], world = [[-2, -2], [2, 2]] }\n[[entity]]\nname = \"disc\"\n"
+      "shape = { circle = { radius = 1 } }\nmaterial = \"absorb\"\n");
+  const ExperimentResult result = run("escape", {.scene = scene, .count = 100});
+  std::istringstream table(file_of(result, "escape_times.csv")->content);
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "bounces,pixels_gone,pixels_remaining");
+  double gone = 0, remaining = 0;
+  while (std::getline(table, line)) {
+    gone += std::stod(line.substr(line.find(',') + 1));
+    remaining = std::stod(line.substr(line.rfind(',') + 1));
+  }
+  const double absorbed = measure(result, "into disc").value;
+  EXPECT_GT(absorbed, 0);
+  EXPECT_NEAR(absorbed + measure(result, "into the open").value, gone / (gone + remaining), 1e-12);
 }
 
 // Threads share rows and blocks, and no byte of a figure depends on how many there are.
