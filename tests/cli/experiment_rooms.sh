@@ -25,6 +25,13 @@ says err "was kept by another run: its count is 100000000, not 20000"
 run 0 verify half
 blocks=$(($(wc -l < half/mean-free-path.blocks) - 1))
 says out "$blocks record"
+# A number of a block that was changed is told.
+cp -r half changed
+sed -i '2s/,/,1/' changed/mean-free-path.blocks
+run 1 verify changed
+says out 'is not what an experiment keeps, or was changed'
+run 6 experiment mean-free-path "$sinai" --count 100000000 --resume -o changed
+says err 'has a line that is not a block, or was changed'
 rm -r half
 run 0 experiment mean-free-path "$sinai" --count 20000 --resume -o half
 cmp whole/mean_free_path.json half/mean_free_path.json || fail "a resumed run differs"

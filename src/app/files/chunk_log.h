@@ -28,7 +28,8 @@ struct Chunks {
 
 /// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. Of two
 /// rows of a chunk that of more rays counts. A last row without its end, as a full disk leaves it,
-/// does not count; an older file gets the present columns, empty in its rows, with its next row.
+/// does not count; an older file gets the present columns, empty in its rows, with its next row. The
+/// last column is a hash of the row.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {
@@ -82,6 +83,7 @@ class ChunkLog {
   explicit ChunkLog(const Format& format) : format_(format) {}
   void keep(const Key& key, Row row);
   std::string header(std::size_t counts) const;
+  std::string head() const { return header(format_.counts.size()) + ",check"; }
   std::string padded(std::string_view line) const;
   std::optional<std::pair<Key, Row>> read_row(std::string_view line) const;
   Result<std::string> read(const std::string& text);
