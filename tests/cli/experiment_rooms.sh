@@ -25,6 +25,13 @@ says err "was kept by another run: its count is 100000000, not 20000"
 run 0 verify half
 blocks=$(($(wc -l < half/mean-free-path.blocks) - 1))
 says out "$blocks record"
+# A number of a block that was changed is told.
+cp -r half changed
+sed -i '2s/,/,1/' changed/mean-free-path.blocks
+run 1 verify changed
+says out 'is not what an experiment keeps, or was changed'
+run 6 experiment mean-free-path "$sinai" --count 100000000 --resume -o changed
+says err 'has a line that is not a block, or was changed'
 rm -r half
 run 0 experiment mean-free-path "$sinai" --count 20000 --resume -o half
 cmp whole/mean_free_path.json half/mean_free_path.json || fail "a resumed run differs"
@@ -63,6 +70,11 @@ run 0 experiment mean-free-path "$sinai" --count 1000 -o lists --sweep 'film.siz
 (($(grep -c 'mean_free_path' lists/sweep.csv) == 2)) || fail "two lists were asked for"
 run 0 experiment mean-free-path "$sinai" --count 1000 -o far --sweep seed=1234567890123..1234567890124:1
 grep -q ^1234567890124,mean_free_path far/sweep.csv || fail "a seed has lost digits"
+# What a scene is warned of is told once, not for each value.
+{ cat "$sinai"; printf '[[entity]]\nshape = { circle = { radius = 0.1 } }\nat = [9, 9]\nfill = "none"\n'; } > warned.toml
+run 0 experiment mean-free-path warned.toml --count 1000 -o warned --sweep seed=1,2,3 --json
+(($(grep -c 'warning: the entity draws nothing' "$work/err.txt") == 1)) || fail "a warning is told $(grep -c warning: "$work/err.txt") times"
+(($(grep -o 'the entity draws nothing' "$work/out.txt" | wc -l) == 1)) || fail 'JSON has a warning for each value'
 run 2 experiment divergence "$sinai" --apart 0
 run 2 experiment escape "$sinai" --map angel
 says err "angle"

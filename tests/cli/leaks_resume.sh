@@ -12,5 +12,5 @@ cmp -s once.csv rooms/leaks.csv || fail 'a block was followed again'
 leaks 1025
 rows 2
 [[ $(cut -d, -f5 rooms/leaks.csv | sed 1d | sort -n | tr '\n' ' ') == '0 1 ' ]] || fail "blocks: $(cut -d, -f5 rooms/leaks.csv)"
-awk -F, 'NR > 1 && ($6 != 1024 || $8 != 0) { exit 1 }' rooms/leaks.csv || fail 'rays are 1024 a block, and none leaks'
+awk -F, 'NR > 1 && ($6 != ($5 == 0 ? 1024 : 1) || $8 != 0) { exit 1 }' rooms/leaks.csv || fail 'rays are 1024 and 1, and none leaks'
 finish

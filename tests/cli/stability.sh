@@ -2,13 +2,22 @@
 # Rows a chunk, runs that go on, mistakes of the command line.
 source "$(dirname "$0")/lib.sh"
 
-run 0 stability --families vertex,edge --count 10 -o log
+run 0 stability --families vertex,edge --count 16384 -o log
 says out 'vertex'
 [[ $(wc -l < log/stability.csv) -gt 2 ]] || fail 'no row for each tracer and family'
+
+# As many rays as are asked for, and of a part of a chunk a row, which more rays take the place of.
+run 0 stability --families vertex --count 1 --tracer brute,grid -o few
+[[ $(awk 'NR > 1 { print $3 }' "$work/out.txt" | tr '\n' ' ') == '1 1 ' ]] || fail 'one ray was asked for'
+run 0 stability --families vertex --count 16385 --tracer grid -o few
+[[ $(awk 'NR > 1 { print $3 }' "$work/out.txt") == 16385 ]] || fail 'one ray more than a chunk was asked for'
+[[ $(grep '^vertex,grid,' few/stability.csv | cut -d, -f5,6 | tr '\n' ' ') == '0,1 0,16384 1,1 ' ]] || fail 'rows are not of the rays asked for'
+run 0 verify few
 
 # What is logged is not done again, and more of it only adds rows.
 cp log/stability.csv before.csv
 run 0 stability --families edge,vertex --count 10 -o log
+says out ' 16384 ' # more is there
 cmp -s before.csv log/stability.csv || fail 'chunks were done again'
 run 0 stability --families vertex --tracer brute --count 20000 -o log
 head -n "$(wc -l < before.csv)" log/stability.csv | cmp -s - before.csv || fail 'earlier rows changed'
@@ -47,10 +56,10 @@ run 2 stability --leaks 10 --families vertex
 run 2 stability --count 10 --places origin
 
 # They go on, too, and keep what they had counted.
-run 1 stability --leaks 1000 --tracer float --places origin -o rooms
+run 1 stability --leaks 1024 --tracer float --places origin -o rooms
 cp "$work/out.txt" once.txt
 cp rooms/leaks.csv once.csv
-run 1 stability --leaks 1000 --tracer float --places origin -o rooms
+run 1 stability --leaks 1024 --tracer float --places origin -o rooms
 cmp -s once.txt "$work/out.txt" || fail 'counts were lost'
 cmp -s once.csv rooms/leaks.csv || fail 'blocks were done again'
 run 1 stability --leaks 2000 --tracer float --places origin -o rooms
@@ -68,8 +77,8 @@ says out 'unknown' # how many rays were decided one by one
 # Its file gets the columns of now, once; what was not counted is empty.
 run 1 stability --families vertex --tracer float --count 20000 -o old
 [[ $(head -n 1 old/stability.csv) == "$(head -n 1 log/stability.csv)" ]] || fail 'the header is still that of before'
-[[ $(awk -F, '{ print NF }' old/stability.csv | uniq -c | awk '{ print $1, $2 }') == '3 30' ]] || fail 'rows are not as wide as the header'
-grep -q ',0.100,,,,,,,,,,,,,,,,,,item 3 ray 1$' old/stability.csv || fail 'a row of before has counts it did not make'
+[[ $(awk -F, '{ print NF }' old/stability.csv | uniq -c | awk '{ print $1, $2 }') == '3 31' ]] || fail 'rows are not as wide as the header'
+grep -q ',0.100,,,,,,,,,,,,,,,,,,item 3 ray 1,#[0-9a-f]*$' old/stability.csv || fail 'a row of before has counts it did not make'
 cp old/stability.csv padded.csv
 run 1 stability --families vertex --tracer float --count 20000 -o old
 cmp -s padded.csv old/stability.csv || fail 'padded rows were not read'
@@ -93,11 +102,11 @@ for file in leaks stability; do
 done
 
 # Moving pairs, of chosen families; a run goes on where its log ends.
-run 0 stability --pairs 1000 --families grid,turning-squares -o pairs
+run 0 stability --pairs 1024 --families grid,turning-squares -o pairs
 [[ $(wc -l < pairs/stability.csv) == 4 ]] || fail 'a row for each method of each chunk and the head'
 run 0 stability --pairs 2000 --families grid -o pairs
 [[ $(wc -l < pairs/stability.csv) == 6 ]] || fail 'only the second chunk is new'
-says out '2048'
+says out ' 2000 '
 run 2 stability --pairs 1 --families vertex
 says err 'turning-grazing'
 
@@ -108,7 +117,7 @@ FLATRAY_EMBREE_MODULE=absent.so run 5 stability --tracer embree --count 10
 says err 'the module absent.so is not there'
 run 2 stability --count 0
 # Rows that are none of a run are told by their line.
-head -n 2 one/stability.csv > row.csv
+head -n 2 one/stability.csv | cut -d, -f1-30 > row.csv # as rows of before, without their hash
 refuses() { # FIELD VALUE
   mkdir -p false
   awk -F, -v OFS=, -v f="$1" -v v="$2" 'NR == 2 { $f = v } 1' row.csv > false/stability.csv
@@ -125,9 +134,16 @@ refuses "$seconds" nan
 refuses "$seconds" -5
 refuses "$seconds" soon
 refuses 1 '#n-gon'
-sed '2s/^\([^,]*,[^,]*,[^,]*,[^,]*,[^,]*\),[0-9]*/\1,1025/' rooms/leaks.csv > false/leaks.csv
+cut -d, -f1-18 rooms/leaks.csv | sed '2s/^\([^,]*,[^,]*,[^,]*,[^,]*,[^,]*\),[0-9]*/\1,1025/' > false/leaks.csv
 run 6 stability --leaks 10 --tracer float --places origin -o false
 says err 'false/leaks.csv:2: error: is not a row that this program writes'
+# A row with a count that a run may have had, and has not, is told by its hash.
+cp -r log changed
+sed -i '2s/,16384,/,16383,/' changed/stability.csv
+run 1 verify changed
+says out 'changed/stability.csv:2: is not a row that this program writes'
+run 6 stability --families vertex --count 10 -o changed
+says err 'changed/stability.csv:2: error: is not a row that this program writes'
 echo 'nonsense' >> log/stability.csv
 run 6 stability --families vertex --count 10 -o log
 says err 'stability.csv:'

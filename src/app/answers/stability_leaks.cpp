@@ -17,7 +17,7 @@ VerbOutput stability_output(Table table, bool sound) {
 }
 
 Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request) {
-  const std::uint64_t blocks = (*request.leaks + kRaysALeakBlock - 1) / kRaysALeakBlock;
+  const Chunks blocks{*request.leaks, kRaysALeakBlock};
   const std::vector<std::string>& places = request.places;
   FLATRAY_TRY(log, LeakLog::open(arguments.text("output"), Outputs(arguments)));
   Table table({"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong",
@@ -27,11 +27,12 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
     if (std::ranges::find(places, place.name) == places.end()) continue;
     for (const Tracer* tracer : request.tracers) {
       const ChunkLog::Key key{place.name, tracer->name, isa_name(active_isa()), request.seed, 0};
-      FLATRAY_TRY(done,
-                  log->run({key}, blocks, request.threads, [&](std::uint64_t block, const auto&) {
-                    return std::vector{count_leaks(*tracer, place, request.seed, block)};
-                  }));
-      const LeakTally sum = log->sum(key, blocks);
+      FLATRAY_TRY(done, log->run({key}, blocks, request.threads,
+                                 [&](std::uint64_t first, std::uint64_t count, const auto&) {
+                                   return std::vector{count_leaks(*tracer, place, request.seed,
+                                                                  first / blocks.size, count)};
+                                 }));
+      const LeakTally sum = log->sum(key, blocks.number());
       sound = sound && sum.leaks + sum.wrong + sum.wrong_t == 0;
       table.add({place.name, tracer->name, sum.rays, sum.bounces, sum.leaks, sum.corners, sum.wrong,
                  sum.wrong_t, sum.asked, sum.beside, sum.nothing, sum.through_end, sum.through,

@@ -9,7 +9,9 @@ namespace flatray {
 namespace {
 
 std::optional<std::pair<std::size_t, Numbers>> read_block(std::string_view line) {
-  const std::vector<std::string_view> cells = split(line, ',');
+  const auto text = unchecked(line);
+  if (!text) return std::nullopt;
+  const std::vector<std::string_view> cells = split(*text, ',');
   const auto block = parse_whole(cells.front());
   if (!block) return std::nullopt;
   Numbers numbers;
@@ -48,7 +50,7 @@ Result<void> ExperimentMonitor::read(const std::string& key, bool force) {
     if (block)
       kept_.insert(std::move(*block));
     else if (problem.empty())
-      problem = "has a line that is not a block";
+      problem = "has a line that is not a block, or was changed";
   });
   if (problem.empty()) return {};
   kept_.clear();
@@ -82,7 +84,7 @@ void ExperimentMonitor::done(std::size_t block, const Numbers& result) {
   for (const double number : result) line += "," + number_text(number);
   const std::lock_guard lock(mutex_);
   if (failure_) return;
-  auto written = journal_->add(line + "\n", [this] { return claim_->expect_held(); });
+  auto written = journal_->add(checked(line) + "\n", [this] { return claim_->expect_held(); });
   if (!written) failure_ = written.error();
 }
 

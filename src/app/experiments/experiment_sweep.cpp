@@ -7,8 +7,10 @@
 #include <iterator>
 
 #include "app/options/arguments.h"
+#include "app/options/option_values.h"
 #include "base/number_text.h"
 #include "scene/reading/format.h"
+#include "scene/reading/vocabulary.h"
 #include "study/plots/plot.h"
 #include "study/statistics/estimate.h"
 
@@ -55,6 +57,19 @@ std::optional<std::vector<std::string>> steps(std::string_view text) {
     values.push_back(whole ? fmt::format("{:.0f}", value) : fmt::format("{:.12g}", value));
   }
   return values;
+}
+
+// What the vocabulary calls a number of a key, "degrees"; "" where it is a number, no more.
+std::string unit_of(const std::string& key) {
+  const std::vector<std::string_view> path = split(key, '.');
+  for (std::size_t i = path.size() - 1; i-- > 0;)  // tables, names and numbers of their entries
+    for (const TableInfo& table : vocabulary())
+      for (const KeyInfo& one : table.keys) {
+        if (KindInfo::name(table) != path[i] || one.name != path.back()) continue;
+        const std::string takes(one.takes), unit = takes.substr(0, takes.find(" or "));
+        return unit.ends_with("number") ? "" : unit;
+      }
+  return "";
 }
 
 // Whether there is something to see: a number that is counted may be the same for all values.
@@ -107,6 +122,7 @@ std::vector<std::string> SweepResults::names() const {
 }
 
 ExperimentResult SweepResults::result() && {
+  const std::string unit = unit_of(sweep_.key);
   ExperimentResult all;
   all.files.push_back(csv_file("sweep", table_));
   all.files.push_back(json_file(
@@ -114,7 +130,7 @@ ExperimentResult SweepResults::result() && {
   for (const std::string& name : names()) {
     Plot plot{
         experiment_ + ": " + name,
-        sweep_.key,
+        sweep_.key + (unit.empty() ? "" : ", " + unit),
         name,
         {{"found", {}, true}, {"expected", {}, false}, {"found, without an interval", {}, true}}};
     plot.caption = "lengths in world units, times at speed 1";

@@ -73,6 +73,10 @@ bool possible_leaks(const ChunkLog::Key& key, const ChunkLog::Row& row) {
 
 }  // namespace
 
+void ChunkLog::keep(const Key& key, Row row) {
+  if (!has(key, row.counts.front())) rows_.insert_or_assign(key, std::move(row));
+}
+
 std::string ChunkLog::header(std::size_t counts) const {
   std::string line = "family,tracer,isa,seed,chunk";
   for (std::size_t i = 0; i < counts; ++i) {
@@ -125,7 +129,7 @@ Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::s
                                 const Outputs& outputs) {
   ChunkLog rows(format);
   if (!folder) return rows;
-  const std::string head = rows.header(format.counts.size()) + "\n";
+  const std::string head = rows.head() + "\n";
   rows.journal_.emplace(std::filesystem::path(*folder) / format.file, head);
   FLATRAY_TRY(allowed, outputs.make_way(rows.journal_->path(), head));
   FLATRAY_TRY(text, rows.journal_->read());
@@ -144,17 +148,19 @@ Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::s
 Result<std::string> ChunkLog::read(const std::string& text) {
   if (text.empty()) return text;
   const auto is_header = [&](std::string_view line) {
-    return std::ranges::any_of(format_.widths,
-                               [&](std::size_t width) { return line == header(width); });
+    return line == head() || std::ranges::any_of(format_.widths, [&](std::size_t width) {
+             return line == header(width);
+           });
   };
   std::string now;
   int number = 0, wrong = 0;
   each_line(text, [&](std::string_view line) {
     ++number;
-    auto parsed = number == 1 ? std::nullopt : read_row(line);
+    const auto row = unchecked(line);
+    auto parsed = number == 1 || !row ? std::nullopt : read_row(*row);
     if (wrong == 0 && (number == 1 ? !is_header(line) : !parsed)) wrong = number;
-    if (parsed) rows_.insert(std::move(*parsed));
-    now += (parsed ? padded(line) : header(format_.counts.size())) + "\n";
+    if (parsed) keep(parsed->first, std::move(parsed->second));
+    now += (parsed ? checked(padded(*row)) : head()) + "\n";
   });
   if (wrong == 0) return now;
   return fail(named_place(fmt::format("{}:{}", journal_->path().string(), wrong)),
@@ -163,7 +169,7 @@ Result<std::string> ChunkLog::read(const std::string& text) {
 }
 
 Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {
-  rows_.emplace(key, row);
+  keep(key, row);
   if (!journal_) return {};
   if (std::exchange(old_, false)) {
     auto merged = journal_->merge([this](const std::string& text) { return read(text); });
@@ -176,7 +182,7 @@ Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {
     if (i < row.counts.size()) line += fmt::format(",{}", row.counts[i]);
   }
   if (format_.note != nullptr) line += "," + row.note;
-  return journal_->add(padded(line) + "\n");
+  return journal_->add(checked(padded(line)) + "\n");
 }
 
 const ChunkLog::Format StabilityRows::kFormat = {

@@ -19,9 +19,17 @@
 
 namespace flatray {
 
-/// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. A last row
-/// without its end, as a full disk leaves it, does not count; an older file gets the present
-/// columns, empty in its rows, with its next row.
+/// What is counted, rays or pairs, in chunks of `size`: the last may have fewer.
+struct Chunks {
+  std::uint64_t count, size;
+  std::uint64_t number() const { return (count + size - 1) / size; }
+  std::uint64_t in(std::uint64_t chunk) const { return std::min(size, count - chunk * size); }
+};
+
+/// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. Of two
+/// rows of a chunk that of more rays counts. A last row without its end, as a full disk leaves it,
+/// does not count; an older file gets the present columns, empty in its rows, with its next row. The
+/// last column is a hash of the row.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {
@@ -32,7 +40,7 @@ class ChunkLog {
     auto operator<=>(const Key&) const = default;
   };
   struct Row {
-    std::vector<std::uint64_t> counts;
+    std::vector<std::uint64_t> counts;  ///< of rays first
     std::string note;
   };
   /// Its columns, after those of the key: counts, the seconds after some of them, and a note.
@@ -51,7 +59,11 @@ class ChunkLog {
   static Result<ChunkLog> open(const Format& format, const std::optional<std::string>& folder,
                                const Outputs& outputs);
 
-  bool has(const Key& key) const { return rows_.contains(key); }
+  /// Whether so many rays of a chunk are there, or more.
+  bool has(const Key& key, std::uint64_t rays) const {
+    const auto row = rows_.find(key);
+    return row != rows_.end() && row->second.counts.front() >= rays;
+  }
   std::size_t size() const { return rows_.size(); }
   /// `each(row)` of chunks 0 to `chunks` - 1 that are there, in order, whatever the chunk of `key`.
   /// Counts that rows did not have when one was written are missing.
@@ -69,7 +81,9 @@ class ChunkLog {
 
  private:
   explicit ChunkLog(const Format& format) : format_(format) {}
+  void keep(const Key& key, Row row);
   std::string header(std::size_t counts) const;
+  std::string head() const { return header(format_.counts.size()) + ",check"; }
   std::string padded(std::string_view line) const;
   std::optional<std::pair<Key, Row>> read_row(std::string_view line) const;
   Result<std::string> read(const std::string& text);
@@ -89,7 +103,7 @@ class TallyLog {
     FLATRAY_TRY(log, ChunkLog::open(Rows::kFormat, folder, outputs));
     return TallyLog(std::move(*log));
   }
-  bool has(const ChunkLog::Key& key) const { return log_.has(key); }
+  bool has(const ChunkLog::Key& key, std::uint64_t rays) const { return log_.has(key, rays); }
   std::size_t size() const { return log_.size(); }
   Result<void> add(const ChunkLog::Key& key, const Tally& tally, double seconds) {
     return log_.add(key, Rows::row(tally), seconds);
@@ -105,13 +119,14 @@ class TallyLog {
     for_each(key, chunks, [&](const Tally& tally) { sum.add(tally); });
     return sum;
   }
-  /// Adds what is not there of chunks 0 to `chunks` - 1 of all `keys`, whatever their chunk, a
-  /// round of `threads` chunks at a time, until interrupted: `check(chunk, open)` gives tallies of
-  /// the keys numbered in `open`, which are kept in order when the round is over.
+  /// Adds what is not there of `chunks` of all `keys`, whatever their chunk, a round of `threads`
+  /// chunks at a time, until interrupted: `check(first, count, open)` gives tallies of the rays or
+  /// pairs of one chunk for the keys numbered in `open`, which are kept in order when the round is
+  /// over.
   ///
   /// Cost    memory of a round, whatever the number of chunks.
   template <class Check>
-  Result<void> run(const std::vector<ChunkLog::Key>& keys, std::uint64_t chunks, unsigned threads,
+  Result<void> run(const std::vector<ChunkLog::Key>& keys, const Chunks& chunks, unsigned threads,
                    const Check& check) {
     struct Chunk {
       std::vector<ChunkLog::Key> keys{};  // that it is not there of
@@ -121,12 +136,12 @@ class TallyLog {
     std::uint64_t next = 0;
     while (!interrupted()) {
       std::vector<Chunk> round;
-      for (; next < chunks && round.size() < threads; ++next) {
+      for (; next < chunks.number() && round.size() < threads; ++next) {
         Chunk one;
         for (std::size_t k = 0; k < keys.size(); ++k) {
           ChunkLog::Key key = keys[k];
           key.chunk = next;
-          if (has(key)) continue;
+          if (has(key, chunks.in(next))) continue;
           one.keys.push_back(std::move(key));
           one.open.push_back(k);
         }
@@ -135,7 +150,8 @@ class TallyLog {
       if (round.empty()) break;
       const auto start = std::chrono::steady_clock::now();
       parallel_for(round.size(), threads, [&](std::size_t i) {
-        round[i].tallies = check(round[i].keys.front().chunk, round[i].open);
+        const std::uint64_t chunk = round[i].keys.front().chunk;
+        round[i].tallies = check(chunk * chunks.size, chunks.in(chunk), round[i].open);
       });
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
       for (const Chunk& one : round)

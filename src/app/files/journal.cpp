@@ -10,6 +10,7 @@
 #include <chrono>
 #include <thread>
 
+#include "base/hash.h"
 #include "base/json.h"
 
 namespace flatray {
@@ -158,6 +159,15 @@ Result<void> Claim::expect_held() const {
   if (is_at(path_, file_)) return {};
   return fail(named_place(path_.parent_path().string()), "another run goes on here, by --force",
               "name another folder", Trouble::output);
+}
+
+std::string checked(const std::string& line) { return line + ",#" + Hash().add(line).hex(); }
+
+std::optional<std::string_view> unchecked(std::string_view line) {
+  const std::size_t end = line.rfind(",#");
+  if (end == std::string_view::npos) return line;
+  const std::string_view text = line.substr(0, end);
+  return Hash().add(text).hex() == line.substr(end + 2) ? std::optional(text) : std::nullopt;
 }
 
 std::string differences(const std::string& there, const std::string& here) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -47,6 +48,12 @@ class Journal {
   std::filesystem::path path_;
   std::string head_;
 };
+
+/// A line with the hash of it as one more cell, ",#89abcdef01234567": one that is changed is told.
+std::string checked(const std::string& line);
+/// The line before that cell, or all of one that has none, as those of before; nullopt where the
+/// hash is another.
+std::optional<std::string_view> unchecked(std::string_view line);
 
 /// `take(line)` of each line of a text.
 template <class Take>

@@ -43,8 +43,13 @@ int report_failure(const Diagnostics& problems, const std::string& undone) {
 }
 
 void report_warnings(const Diagnostics& warnings, const Arguments& arguments) {
-  if (!arguments.has("quiet")) std::fputs(format(warnings, "warning").c_str(), stderr);
-  arguments.warnings->insert(arguments.warnings->end(), warnings.begin(), warnings.end());
+  std::set<std::string> told;
+  for (const Diagnostic& one : *arguments.warnings) told.insert(format(one));
+  for (const Diagnostic& one : warnings) {
+    if (!told.insert(format(one)).second) continue;
+    if (!arguments.has("quiet")) std::fputs(format(one, "warning").c_str(), stderr);
+    arguments.warnings->push_back(one);
+  }
 }
 
 void report_note(const std::string& line) { std::fputs((shown_text(line) + "\n").c_str(), stderr); }

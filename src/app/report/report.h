@@ -19,7 +19,8 @@ int exit_code(const Diagnostics& problems);
 /// Gives   the exit code.
 int report_failure(const Diagnostics& problems, const std::string& undone);
 
-/// Warnings on standard error, unless the verb was given --quiet, and in the object of --json.
+/// Warnings on standard error, unless the verb was given --quiet, and in the object of --json; each
+/// once, as a scene may be read for each value of a sweep.
 void report_warnings(const Diagnostics& warnings, const Arguments& arguments);
 
 /// One line for people on standard error.

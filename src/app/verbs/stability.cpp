@@ -52,7 +52,6 @@ struct Options : Arguments {
   std::optional<std::uint64_t> pairs;
   bool catalogue = false, sweep = false;
 
-  std::uint64_t chunks() const { return (count + kRaysAChunk - 1) / kRaysAChunk; }
   bool chooses(const std::string& family) const {
     return std::ranges::find(families, family) != families.end();
   }
@@ -66,22 +65,19 @@ struct Options : Arguments {
         &all_family_names);
     row("--tracer NAME,NAME", "these tracers instead of all exact ones", tracers, &tracers_called,
         &tracer_names);
-    row("--count N", "rays of each family for each tracer, in chunks of 16384", count, 1, kMost);
-    row("--leaks N",
-        "instead, for each tracer N rays aimed at the vertices of each sealed room, in blocks of "
-        "1024",
+    row("--count N", "rays of each family for each tracer", count, 1, kMost);
+    row("--leaks N", "instead, for each tracer N rays aimed at the vertices of each sealed room",
         leaks, 1, kMost);
     row("--places NAME,NAME", "of --leaks: only where these rooms stand", places,
         names_among("place", places), &place_names);
-    row("--pairs N",
-        "instead, N moving pairs of each family, in chunks of 1024, against exact contacts", pairs,
-        1, kMost);
+    row("--pairs N", "instead, N moving pairs of each family against exact contacts", pairs, 1,
+        kMost);
     row("--catalogue", "instead, the catalogue of stiff cases by id, for all tracers", catalogue);
     row("--sweep", "instead, scales and offsets from 2^-1000 to 2^1000, for all tracers", sweep);
     scene.row_of_seed(row, seed, ~std::uint64_t{0});
     row("-o, --output FOLDER",
-        "where its files go: stability.csv, or leaks.csv, a row a chunk, from which a run with the "
-        "same seed goes on");
+        "where its files go: stability.csv, a row for each 16384 rays or 1024 pairs, or leaks.csv, "
+        "for each 1024 rays, from which a run with the same seed goes on");
     row(kForceRow);
     row_of_threads(row, threads);
     row(kJsonRow);
@@ -133,7 +129,7 @@ std::vector<T> chosen(const std::vector<T>& all, const Open& open) {
 }
 
 Result<VerbOutput> run_pairs(const Options& options) {
-  const std::uint64_t chunks = (*options.pairs + kPairsAChunk - 1) / kPairsAChunk;
+  const Chunks chunks{*options.pairs, kPairsAChunk};
   FLATRAY_TRY(log, StabilityLog::open(options.text("output"), Outputs(options)));
   Table table({"family", "method", "pairs", "meet", "wrong", "missed", "invented", "other_class",
                "t_not_nearest_or_wide", "t_off", "first_wrong"});
@@ -141,14 +137,13 @@ Result<VerbOutput> run_pairs(const Options& options) {
   for (const PairFamily& family : pair_families()) {
     if (!options.chooses(family.name)) continue;
     const auto keys = keys_of(options, StabilityRows::pairs(family), family.methods);
-    FLATRAY_TRY(
-        done,
-        log->run(keys, chunks, options.request.threads, [&](std::uint64_t chunk, const Open& open) {
-          return chosen(
-              check_pairs(family, options.request.seed, chunk * kPairsAChunk, kPairsAChunk), open);
-        }));
+    FLATRAY_TRY(done, log->run(keys, chunks, options.request.threads,
+                               [&](std::uint64_t first, std::uint64_t count, const Open& open) {
+                                 return chosen(
+                                     check_pairs(family, options.request.seed, first, count), open);
+                               }));
     for (std::size_t k = 0; k < keys.size(); ++k) {
-      const StabilityTally sum = log->sum(keys[k], chunks);
+      const StabilityTally sum = log->sum(keys[k], chunks.number());
       wrong += sum.wrong + sum.off_by_more;
       table.add({family.name, family.methods[k], sum.rays, sum.hits, sum.wrong, sum.missed,
                  sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more, sum.first_wrong});
@@ -183,6 +178,7 @@ JsonValue known(const StabilityTally& tally, std::uint64_t ulps) {
 }
 
 Result<VerbOutput> run_families(const Options& options) {
+  const Chunks chunks{options.count, kRaysAChunk};
   FLATRAY_TRY(log, StabilityLog::open(options.text("output"), Outputs(options)));
   Table table({"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
                "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one", "ns_a_query",
@@ -191,19 +187,18 @@ Result<VerbOutput> run_families(const Options& options) {
   for (const oracle::Family& family : oracle::families()) {
     if (!options.chooses(family.name)) continue;
     const auto keys = keys_of(options, family.name, names_of(options.request.tracers));
-    FLATRAY_TRY(done, log->run(keys, options.chunks(), options.request.threads,
-                               [&](std::uint64_t chunk, const Open& open) {
-                                 return check_scenes(chosen(options.request.tracers, open), family,
-                                                     options.request.seed, chunk * kScenesAChunk,
-                                                     kScenesAChunk);
+    FLATRAY_TRY(done, log->run(keys, chunks, options.request.threads,
+                               [&](std::uint64_t first, std::uint64_t count, const Open& open) {
+                                 return check_rays(chosen(options.request.tracers, open), family,
+                                                   options.request.seed, first, count);
                                }));
     for (const ChunkLog::Key& key : keys) {
-      const StabilityTally sum = log->sum(key, options.chunks());
+      const StabilityTally sum = log->sum(key, chunks.number());
       wrong += sum.wrong + sum.off_by_more;
       table.add({family.name, key.tracer, sum.rays, sum.hits, sum.wrong, sum.missed, sum.invented,
                  sum.other_wall, sum.not_nearest, sum.off_by_more, known(sum, sum.worst_ulps),
                  known(sum, sum.most_ulps()), share(sum.one_by_one, sum.watched),
-                 share(sum.nanoseconds, sum.timed), range_of_times(*log, key, options.chunks()),
+                 share(sum.nanoseconds, sum.timed), range_of_times(*log, key, chunks.number()),
                  share(sum.bytes, sum.objects), sum.first_wrong});
     }
   }

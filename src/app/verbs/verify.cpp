@@ -124,7 +124,7 @@ class FolderCheck {
       if (const auto text = read_regular_file(path); !text)
         tell(text.error());
       else if (!are_blocks(*text))
-        tell(path, "is not what an experiment keeps");
+        tell(path, "is not what an experiment keeps, or was changed");
       else  // a block a line, but the first
         rows_ += static_cast<std::size_t>(std::max(std::ranges::count(*text, '\n') - 1, {}));
     } else if (is_picture(path.extension())) {

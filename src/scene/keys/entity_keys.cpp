@@ -101,6 +101,16 @@ constexpr Key<Entity> kEntityKeys[] = {
     kRepeatKey<Entity>,
 };
 
+// What is hidden on purpose says that it has no stroke, either.
+void warn_of_unseen(Builder& builder, const Value& table, const Entity& entity) {
+  const Member* fill = table.find("fill");
+  if (fill == nullptr || entity.fill || table.find("stroke") != nullptr || entity.bounding_box ||
+      entity.markov || entity.material || entity.scatterer != kNoEntry)
+    return;
+  builder.in.warning(fill->value.where, "the entity draws nothing: it has no fill and no stroke",
+                     R"(write stroke = { colour = "#333333" }, or stroke = "none" to hide it)");
+}
+
 void dress(Builder& builder, const Value& table, Entity& entity) {
   const Scene& scene = builder.scene;
   const bool lines =
@@ -109,6 +119,7 @@ void dress(Builder& builder, const Value& table, Entity& entity) {
   if (fill != nullptr && entity.fill && lines)
     builder.in.warning(fill->value.where, "a shape of lines has no inside to fill",
                        "write stroke = { colour = \"#rrggbb\" }");
+  warn_of_unseen(builder, table, entity);
   if (fill != nullptr || table.find("stroke") != nullptr) return;
   if (lines)
     entity.stroke = kDefaultStroke;

@@ -49,8 +49,8 @@ class Basins {
 
   ExperimentResult result(const std::vector<Measure>& audit) const {
     ExperimentResult all = measured(context_, "escape", headline(), measures(), audit);
-    Table table({"bounces", "escaped", "remaining"});
-    Plot plot{"Orbits that remain", "bounces", "orbits", {{"remaining", {}, true}}, true};
+    Table table({"bounces", "pixels_gone", "pixels_remaining"});
+    Plot plot{"Pixels whose orbits remain", "bounces", "pixels", {{"remaining", {}, true}}, true};
     std::uint64_t remaining = free_;
     for (std::size_t n = 0; n < gone_after_.size(); ++n) {
       remaining -= gone_after_[n];

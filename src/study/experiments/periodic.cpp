@@ -238,13 +238,14 @@ class PeriodicOrbits {
   }
 
   Table table_of_orbits() const {
-    Table table({"word", "bounces", "verdict", "words_alike", "length", "length_low", "length_high",
-                 "stability", "eigenvalue", "eigenvalue_low", "eigenvalue_high", "why"});
+    Table table({"word", "number", "bounces", "verdict", "words_alike", "length", "length_low",
+                 "length_high", "stability", "eigenvalue", "eigenvalue_low", "eigenvalue_high",
+                 "why"});
     for (const ClosedOrbit& orbit : orbits_) {
       const auto length = orbit.is_there() ? std::optional(orbit.length) : std::nullopt;
       const auto value = orbit.is_there() ? orbit.eigenvalue() : std::nullopt;
-      table.add({room_.text(orbit.word), std::uint64_t{orbit.word.size()},
-                 std::string(name_of(orbit.verdict)),
+      table.add({room_.text(orbit.word), std::uint64_t{orbit.number},
+                 std::uint64_t{orbit.word.size()}, std::string(name_of(orbit.verdict)),
                  std::uint64_t{words_alike(orbit.word, symmetries_)}, middle_of(length),
                  low_of(length), high_of(length), stability_of(orbit), middle_of(value),
                  low_of(value), high_of(value), orbit.why});

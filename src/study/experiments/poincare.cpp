@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "base/counted.h"
 #include "base/npy.h"
 #include "base/number_text.h"
-#include "base/portable_math.h"
 #include "study/plots/plot.h"
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/stretches.h"
@@ -16,7 +16,7 @@ namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 64;
-constexpr int kWidth = 820, kHeight = 410;  // one to one in the picture of 1000 pixels
+constexpr int kWidth = 820, kHeight = 410;  // one to one in the picture
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
 constexpr std::size_t kMostNames = 12;
 
@@ -29,7 +29,6 @@ struct Section {
   std::vector<std::vector<BoundaryPoint>> listed{};  // by orbit
   std::vector<Stretch> squares{};  // of sines: drawn orbits as they are, independent of each other
   std::size_t closed = 0;          // orbits
-  double bounces = 0;
 
   explicit Section(BoundaryOrbits orbits);
   // Stretches that an orbit asked for is cut into.
@@ -115,7 +114,6 @@ Section::Section(BoundaryOrbits orbits) : watched(std::move(orbits)) {
 }
 
 void Section::add(std::size_t orbit, std::span<const double> found) {
-  bounces += found[0];
   closed += found[1] > 0 ? 1 : 0;
   // Too short for stretches, it is one.
   const std::size_t count = parts();
@@ -138,18 +136,16 @@ void Section::add(std::size_t orbit, std::span<const double> found) {
   }
 }
 
-// Light of every point on black: colours tell orbits apart, and add where orbits share a pixel.
-Image light_of(const Section& section) {
-  // What a pixel would have if points filled the section evenly is a third of full light; a single
-  // point is seen.
-  const double scale = std::min(1.0, 0.33 * kPixels / std::max(section.bounces, 1.0));
+// Light of every point on black: colours tell orbits apart, and add where orbits share a pixel. How
+// bright it is at most says how many bounces there are.
+Image light_of(const Section& section, const std::function<double(double)>& brightness) {
   return image_of(kWidth, kHeight, [&](std::size_t i) {
     const LinearRgb& sum = section.light[i];
     const double most = std::max({sum.r, sum.g, sum.b});
     if (most == 0) return LinearRgb{};
     // All of a pixel by one factor: the colour of an orbit stays its own, however often it comes
     // by.
-    return sum * ((1 - portable::exp(-2 * scale * most)) / most);
+    return sum * (brightness(static_cast<double>(section.counts[i])) / most);
   });
 }
 
@@ -158,7 +154,15 @@ Plot plot_of(const Section& section) {
             "place, share of the length of all walls",
             "sine of the angle to the normal",
             {}};
-  plot.map.emplace(Plot::Map{light_of(section), {{0, -1}, {1, 1}}});
+  const auto most = static_cast<double>(std::ranges::max(section.counts));
+  const auto brightness = [&](double bounces) { return log_share(bounces, most); };
+  plot.map.emplace(Plot::Map{light_of(section, brightness), {{0, -1}, {1, 1}}});
+  plot.bar = bar_of(
+      "bounces in a pixel", most,
+      [](double part) {
+        return LinearRgb{1, 1, 1} * part;
+      },
+      brightness);
   const std::vector<std::string>& names = section.watched.orbits.names;
   if (names.size() > kMostNames)
     plot.caption = counted(names.size(), "orbit") + ", each in a colour; light adds up";

@@ -90,7 +90,9 @@ std::vector<ClosedOrbit> drawn_orbits(const MirrorRoom& room, const Word& word) 
     if ((judged.reflects & judged.clear) != Proof::yes) continue;
     ClosedOrbit orbit{word,          Verdict::proven, {},
                       judged.length, judged.trace,    std::move(judged.points)};
-    if (is_new(orbit, found, period)) found.push_back(std::move(orbit));
+    if (!is_new(orbit, found, period)) continue;
+    orbit.number = found.size() + 1;
+    found.push_back(std::move(orbit));
   }
   if (!found.empty()) return found;
   if (period < word.size())

@@ -20,6 +20,7 @@ struct ClosedOrbit {
   Near length{0.0};   ///< where it is proven or of a family, as is what follows
   Near trace{0.0};    ///< of the matrix that takes what is across it once around
   std::vector<Vec2> points{};
+  std::size_t number = 1;  ///< of those of its word, as they are found
 
   bool is_there() const { return verdict == Verdict::proven || verdict == Verdict::family; }
   /// The eigenvalue larger in size; nullopt where both have size 1, or where that is open.

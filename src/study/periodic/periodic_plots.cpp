@@ -58,8 +58,15 @@ Plot plot_of_orbits(const MirrorRoom& room, const std::vector<const ClosedOrbit*
   std::ranges::stable_sort(sorted, [](const ClosedOrbit* a, const ClosedOrbit* b) {
     return a->length.value() < b->length.value() * (1 - 1e-9);
   });
-  for (std::size_t i = 0; i < std::min(kMostShown, sorted.size()); ++i)
-    plot.series.push_back(line_through(room.text(sorted[i]->word), sorted[i]->points, true));
+  sorted.resize(std::min(kMostShown, sorted.size()));
+  for (const ClosedOrbit* orbit : sorted) {
+    const bool is_one_of_several =
+        std::ranges::count(orbits, orbit->word, [](const auto* one) { return one->word; }) > 1;
+    plot.series.push_back(line_through(
+        room.text(orbit->word) +
+            (is_one_of_several ? " (" + std::to_string(orbit->number) + ")" : std::string()),
+        orbit->points, true));
+  }
   return plot;
 }
 

@@ -17,12 +17,13 @@ struct Ink {
 constexpr std::array kInks = {
     Ink{"text", "#1a1a1a", "#eeeeee"}, Ink{"axis", "#595959", "#a6a6a6"},
     Ink{"grid", "#e2e2e2", "#33373d"}, Ink{"paper", "#ffffff", "#16181c"},
-    // Okabe and Ito, Color Universal Design, 2008; their black is the text's, and on dark paper the
-    // lighter blue comes first.
+    // Okabe and Ito, Color Universal Design, 2008; their black is the text's. On white their orange
+    // and light blue are too pale: one is a brown there, the other the first blue on dark paper, and
+    // a violet its place.
     Ink{"blue", "#0072b2", "#56b4e9"}, Ink{"vermillion", "#d55e00", "#d55e00"},
     Ink{"green", "#009e73", "#009e73"}, Ink{"purple", "#cc79a7", "#cc79a7"},
-    Ink{"orange", "#e69f00", "#e69f00"}, Ink{"sky", "#56b4e9", "#0072b2"}};
-constexpr std::array kSeries = {"blue", "vermillion", "green", "purple", "orange", "sky", "text"};
+    Ink{"brown", "#7a3e00", "#e69f00"}, Ink{"violet", "#7a3ce0", "#9a6cff"}};
+constexpr std::array kSeries = {"blue", "vermillion", "green", "purple", "brown", "violet", "text"};
 
 constexpr double kFontSize = 13, kLetterWidth = 7.8;
 

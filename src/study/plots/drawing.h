@@ -16,8 +16,8 @@ struct Pen {
   std::size_t dash = 0;  ///< by number, any; 0 is a whole line
 };
 
-/// Inks of curves that are told apart by those who see few colours, too: the palette of Okabe and
-/// Ito (2008), seven of them, then from the first on.
+/// Inks of curves that are told apart by those who see few colours, too: seven near the palette of
+/// Okabe and Ito (2008), with a contrast of 3 or more to the paper, then from the first on.
 std::string series_ink(std::size_t n);
 
 /// A diagram: marks, one over the other, in units of which a letter is about seven wide; y points

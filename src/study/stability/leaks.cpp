@@ -75,10 +75,10 @@ Vec2 aimed(Draw& draw, const Surfaces& walls, const RoomPlace& place, const Vec2
 }
 
 std::vector<Ray> aimed_rays(const Surfaces& walls, const RoomPlace& place, std::uint64_t seed,
-                            std::uint64_t block) {
+                            std::uint64_t block, std::uint64_t count) {
   Draw draw(seed, block);
   std::vector<Ray> rays;
-  while (rays.size() < kRaysALeakBlock) {
+  while (rays.size() < count) {
     const double x = draw.unit(), y = draw.unit();
     const Vec2 from = place.scale * (0.65 * Vec2(2 * x - 1, 2 * y - 1)) + Vec2(place.x, place.y);
     rays.push_back({from, aimed(draw, walls, place, from)});
@@ -176,9 +176,9 @@ void LeakTally::add(const LeakTally& other) {
 }
 
 LeakTally count_leaks(const Tracer& tracer, const RoomPlace& place, std::uint64_t seed,
-                      std::uint64_t block) {
+                      std::uint64_t block, std::uint64_t count) {
   const Surfaces walls = sealed_room(place, seed);
-  const std::vector<Ray> rays = aimed_rays(walls, place, seed, block);
+  const std::vector<Ray> rays = aimed_rays(walls, place, seed, block, count);
   LeakTally tally;
   tally.rays = rays.size();
   compare_first(tracer, walls, rays, tally);

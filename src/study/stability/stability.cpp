@@ -98,12 +98,16 @@ std::uint64_t StabilityTally::most_ulps() const {
   return worst_ulps;
 }
 
-std::vector<StabilityTally> check_scenes(std::span<const Tracer* const> tracers,
-                                         const oracle::Family& family, std::uint64_t seed,
-                                         std::uint64_t first, std::uint64_t count) {
+std::vector<StabilityTally> check_rays(std::span<const Tracer* const> tracers,
+                                       const oracle::Family& family, std::uint64_t seed,
+                                       std::uint64_t first, std::uint64_t count) {
   std::vector<StabilityTally> tallies(tracers.size());
-  for (std::uint64_t item = first; item < first + count; ++item)
-    check_scene(tracers, make_scene(family, seed, item), item, tallies);
+  for (std::uint64_t ray = first; ray < first + count; ray += oracle::kRaysAScene) {
+    const std::uint64_t item = ray / oracle::kRaysAScene;
+    oracle::AimedScene scene = make_scene(family, seed, item);
+    scene.rays.resize(std::min<std::uint64_t>(scene.rays.size(), first + count - ray));
+    check_scene(tracers, scene, item, tallies);
+  }
   return tallies;
 }
 

@@ -48,16 +48,16 @@ inline constexpr std::array kStabilityCounts = {
     &StabilityTally::bytes};
 
 /// Of what runs keep and go on from.
-inline constexpr std::uint64_t kScenesAChunk = 256;
-inline constexpr std::uint64_t kRaysAChunk = kScenesAChunk * oracle::kRaysAScene;
+inline constexpr std::uint64_t kRaysAChunk = std::uint64_t{256} * oracle::kRaysAScene;
 
-/// Scenes `first` to `first + count - 1` of a family, all their rays in one batch each.
+/// Rays `first` to `first + count - 1` of a family, those of a scene in one batch.
 ///
+/// Needs   `first` a multiple of oracle::kRaysAScene.
 /// Gives   a tally for each tracer.
 /// Cost    some 1 us a ray and 1 to 2 us for each tracer; of `exact`, and where most walls are
 ///         too close for bounds, some 20 us.
-std::vector<StabilityTally> check_scenes(std::span<const Tracer* const> tracers,
-                                         const oracle::Family& family, std::uint64_t seed,
-                                         std::uint64_t first, std::uint64_t count);
+std::vector<StabilityTally> check_rays(std::span<const Tracer* const> tracers,
+                                       const oracle::Family& family, std::uint64_t seed,
+                                       std::uint64_t first, std::uint64_t count);
 
 }  // namespace flatray

@@ -26,7 +26,8 @@ class ChunkLogRows : public OwnFolder {
                 std::string::npos);
       return false;
     }
-    EXPECT_TRUE(again->has(key));
+    EXPECT_TRUE(again->has(key, tally.rays));
+    EXPECT_FALSE(again->has(key, tally.rays + 1));
     return true;
   }
 };
@@ -104,6 +105,30 @@ TEST_F(ChunkLogRows, SumsAreOfAllChunksOfTheirKey) {
   EXPECT_EQ(sum.first_wrong, "item 3 ray 1");
 }
 
+// A run of a part of a chunk keeps a row, which a run of more does not take for the whole.
+TEST_F(ChunkLogRows, OfAChunkTheRowOfMoreRaysCounts) {
+  const ChunkLog::Key key{oracle::families().front().name, "grid", "avx2", 1, 0};
+  for (const std::uint64_t rays : {10U, 70U, 30U}) {
+    StabilityTally tally;
+    tally.rays = rays;
+    ASSERT_TRUE(StabilityLog::open(folder_.string())->add(key, tally, 0));
+  }
+  auto log = StabilityLog::open(folder_.string());
+  EXPECT_EQ(log->sum(key, 1).rays, 70U);
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> asked;
+  const auto check = [&](std::uint64_t first, std::uint64_t count, const auto&) {
+    asked.emplace_back(first, count);
+    StabilityTally tally;
+    tally.rays = count;
+    return std::vector{tally};
+  };
+  ASSERT_TRUE(log->run({key}, {60, 100}, 1, check));
+  EXPECT_TRUE(asked.empty()) << "70 are there";
+  ASSERT_TRUE(log->run({key}, {230, 100}, 1, check));
+  EXPECT_EQ(asked, (decltype(asked){{0, 100}, {100, 100}, {200, 30}}));
+  EXPECT_EQ(log->sum(key, 3).rays, 230U);
+}
+
 TEST_F(ChunkLogRows, ColumnsAreNamedAndSecondsStandAfterTheFirstSix) {
   const std::string family = oracle::families().front().name;
   auto log = StabilityLog::open(folder_.string());
@@ -114,13 +139,13 @@ TEST_F(ChunkLogRows, ColumnsAreNamedAndSecondsStandAfterTheFirstSix) {
   EXPECT_EQ(
       header.substr(0, header.find("missed")),
       "family,tracer,isa,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,by_rationals,seconds,");
-  EXPECT_EQ(header.substr(header.size() - 19), ",whole,first_wrong\n");
+  EXPECT_TRUE(header.ends_with(",whole,first_wrong,check\n")) << header;
   ASSERT_TRUE(LeakLog::open(folder_.string())->add({"origin", "grid", "avx2", 1, 0}, {}, 0));
   std::string leaks = read_file(folder_ / "leaks.csv").value();
   leaks.resize(leaks.find('\n') + 1);
   EXPECT_EQ(leaks,
             "family,tracer,isa,seed,chunk,rays,bounces,leaks,corners,wrong,wrong_t,asked,beside,"
-            "nothing,through_end,through,invented,seconds\n");
+            "nothing,through_end,through,invented,seconds,check\n");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 JobResult four_frames(const std::string& entity, bool keep_all = false,
                       const std::string& pattern = "####.png") {
   const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / ("flatray_omission" + std::to_string(getpid()));
+      std::filesystem::path(::testing::TempDir()) / ("flatray_omission" + std::to_string(getpid()));
   const Scene scene = scene_of(
       "flatray = 1\nframes = 4\nfilm = { size = [64, 32], world = [[0, 0], [16, 8]] }\n[[entity]]\n"
       "name = \"box\"\nshape = { box = { min = [0, 0], max = [5, 4] } }\n" +

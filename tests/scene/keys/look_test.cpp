@@ -38,6 +38,25 @@ TEST(Looks, AGradientHasItsStopsEvenlyOrWhereTheyAreWritten) {
   EXPECT_EQ(stroke.stops[0].at, 0.25);
 }
 
+TEST(Looks, AFillThatHidesItsEntityIsWarnedOf) {
+  const auto warning = [](const std::string& more) {
+    const Diagnostics warnings = loaded(with("fill = \"none\"\n" + more)).warnings;
+    return warnings.empty() ? std::string() : format(warnings, "warning");
+  };
+  const std::string told = warning("");
+  EXPECT_TRUE(told.starts_with(
+      "t.toml:5:8: warning: the entity draws nothing: it has no fill and no stroke\n"))
+      << told;
+  EXPECT_NE(told.find("write stroke = { colour = \"#333333\" }, or stroke = \"none\" to hide it"),
+            std::string::npos)
+      << told;
+  for (const char* seen_or_meant :
+       {"stroke = { width = 1 }", "stroke = \"none\"", "bounding_box = { width = 1 }",
+        "material = \"mirror\"", "material = { diffuse = { reflectance = 0.5 } }"})
+    EXPECT_EQ(warning(seen_or_meant), "") << seen_or_meant;
+  EXPECT_TRUE(loaded(with("")).warnings.empty());
+}
+
 TEST(Looks, WhatCannotBeDrawnIsRefused) {
   const std::string line = "fill = { linear = { from = [0, 0], to = [1, 0], stops = ";
   const Refused cases[] = {

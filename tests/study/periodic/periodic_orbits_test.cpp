@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/capsule shapes/circle experiments/periodic
+// needs: shapes/box shapes/capsule shapes/circle shapes/ellipse experiments/periodic
 // Periodic orbits against counts of words, closed forms, orbits that are proven otherwise, and published rates.
 #include <gtest/gtest.h>
 
@@ -185,6 +185,21 @@ TEST(PeriodicOrbits, EveryWordHasAnAnswer) {
   EXPECT_EQ(found.orbits.size(), 4U);
   EXPECT_EQ(found.of("111").verdict, Verdict::not_found);
   EXPECT_EQ(found.count(1, Verdict::pruned), 1U);
+}
+
+// An ellipse has its two axes, of one word: each line and each name is of one of them.
+TEST(Periodic, OrbitsOfOneWordAreNumbered) {
+  const Scene scene = room("ellipse = { radii = [3, 2] }");
+  ExperimentContext context{scene};
+  context.symbols = 2;
+  std::map<std::string, std::string> files;
+  for (const auto& file : run("periodic", context).files) files[file.name] = file.content;
+  const std::string& table = files["periodic_orbits.csv"];
+  EXPECT_NE(table.find("\n11,1,2,proven,1,"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n11,2,2,proven,1,"), std::string::npos) << table;
+  for (const char* name : {">11 (1)</text>", ">11 (2)</text>"})
+    EXPECT_NE(files["periodic.svg"].find(name), std::string::npos) << name;
+  EXPECT_EQ(files["periodic.svg"].find(">11</text>"), std::string::npos);
 }
 
 // Discs that stand in a row: the middle one is in the way of the outer two.

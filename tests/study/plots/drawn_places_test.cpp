@@ -271,6 +271,25 @@ TEST(Plot, TicksAreNumbersAsPeopleWriteThem) {
                                       "10", "100", "1000", "10000", "100000", "1e6", "1e7"}));
 }
 
+TEST(Plot, TicksOfAnAxisHaveOneExponentAndDiffer) {
+  using Words = std::vector<std::string>;
+  const auto words = [](double low, double high) {
+    Words all;
+    for (const Tick& tick : ticks(low, high, 5)) all.push_back(tick.words);
+    return all;
+  };
+  EXPECT_EQ(words(0, 2e15), (Words{"0", "0.5e15", "1e15", "1.5e15", "2e15"}));
+  EXPECT_EQ(words(999'999e9, 1'000'001e9),
+            (Words{"0.999999e15", "0.9999995e15", "1e15", "1.0000005e15", "1.000001e15"}));
+  EXPECT_EQ(words(1e15 - 2, 1e15 + 2),
+            (Words{"999999999999998", "999999999999999", "1000000000000000", "1000000000000001",
+                   "1000000000000002"}));
+  EXPECT_EQ(words(-1e-5, 1e-5), (Words{"-1e-5", "-0.5e-5", "0", "0.5e-5", "1e-5"}));
+  EXPECT_EQ(words(-1, 1), (Words{"-1", "-0.5", "0", "0.5", "1"}));
+  EXPECT_EQ(words(0, 1e6), (Words{"0", "0.2e6", "0.4e6", "0.6e6", "0.8e6", "1e6"}));
+  EXPECT_EQ(words(99'996, 100'004), (Words{"99996", "99998", "100000", "100002", "100004"}));
+}
+
 TEST(Plot, LogarithmsOfNumbersCloseTogetherHaveTicksToo) {
   const std::vector<Tick> all = log_ticks(std::log10(0.0033), std::log10(0.0038), 7);
   ASSERT_GE(all.size(), 3U);

@@ -1,4 +1,4 @@
-// Where a figure has its words, and that what it says of its points is drawn.
+// Where a figure has its words, that what it says of its points is drawn, and that it is seen.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,6 +33,20 @@ TEST(Plot, LabelsOfLowAndNarrowMapsAreNotCutOff) {
         EXPECT_GE(span.low, 0) << width << "x" << height;
         EXPECT_LE(span.high, drawing.size[axis]) << width << "x" << height;
       }
+  }
+}
+
+// WCAG 2.1, 1.4.11: what a graphic is understood by has a contrast of 3 or more to what lies beside it.
+TEST(Plot, CurvesAreSeenOnTheirPaper) {
+  for (const bool dark : {false, true}) {
+    const auto level = [&](const std::string& ink) {
+      const LinearRgb light = light_of_hex(ink_colour(ink, dark));
+      return 0.2126 * light.r + 0.7152 * light.g + 0.0722 * light.b + 0.05;
+    };
+    for (std::size_t i = 0; i < 7; ++i) {
+      const double ratio = level("paper") / level(series_ink(i));
+      EXPECT_GE(std::max(ratio, 1 / ratio), 3) << series_ink(i) << (dark ? ", dark" : "");
+    }
   }
 }
 

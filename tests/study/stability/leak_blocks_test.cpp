@@ -19,5 +19,17 @@ TEST(Leaks, BlocksAreTheSameForEver) {
   }
 }
 
+// Which are the first of the block: more of them bounce at least as often.
+TEST(Leaks, AreOfAsManyRaysAsAreAsked) {
+  std::uint64_t bounces = 0;
+  for (const std::uint64_t count : {1U, 2U, 100U}) {
+    const LeakTally tally = count_leaks(*find_tracer("grid"), room_places().front(), 1, 0, count);
+    EXPECT_EQ(tally.rays, count);
+    EXPECT_GE(tally.bounces, bounces);
+    EXPECT_LE(tally.bounces, count * kLeakBounces);
+    bounces = tally.bounces;
+  }
+}
+
 }  // namespace
 }  // namespace flatray

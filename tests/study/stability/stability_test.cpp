@@ -39,7 +39,7 @@ template <void (*spoil)(NearestHit&)>
 StabilityTally tally_of() {
   const Tracer tracer = {"spoiled", "", true, &build<spoil>};
   const Tracer* const spoiled[] = {&tracer};
-  return check_scenes(spoiled, oracle::families()[0], 1, 0, 3).front();
+  return check_rays(spoiled, oracle::families()[0], 1, 0, 3 * oracle::kRaysAScene).front();
 }
 
 TEST(Stability, TellsRightFromWrong) {
@@ -79,12 +79,28 @@ TEST(StabilityTally, OneHitInAThousandMayBeFartherOffThanMost) {
   EXPECT_EQ(tally.most_ulps(), 70'000U);
 }
 
+// Also within a scene: what comes before a ray and what comes from it on are all there is.
+TEST(Stability, FewerRaysAreTheFirstOfMore) {
+  const Tracer tracer = {"spoiled", "", true, &build<&miss>};
+  const Tracer* const spoiled[] = {&tracer};
+  const auto check = [&](std::uint64_t first, std::uint64_t count) {
+    return check_rays(spoiled, oracle::families()[0], 1, first, count).front();
+  };
+  constexpr std::uint64_t kScene = oracle::kRaysAScene;
+  for (const std::uint64_t count : {1U, 63U, 64U, 65U, 200U}) {
+    EXPECT_EQ(check(0, count).rays, count);
+    EXPECT_EQ(check(0, kScene + count).missed,
+              check(0, kScene).missed + check(kScene, count).missed);
+  }
+}
+
 TEST(Stability, EveryExactTracerIsRightInEveryFamily) {
   std::vector<const Tracer*> exact;
   for (const Tracer* tracer : tracers())
     if (tracer->exact) exact.push_back(tracer);
   for (const oracle::Family& family : oracle::families()) {
-    const std::vector<StabilityTally> tallies = check_scenes(exact, family, 2, 0, 2);
+    const std::vector<StabilityTally> tallies =
+        check_rays(exact, family, 2, 0, 2 * oracle::kRaysAScene);
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const StabilityTally& tally = tallies[i];
       EXPECT_EQ(tally.wrong, 0U) << exact[i]->name << ", " << family.name << ", "
