@@ -36,20 +36,27 @@ class Visibility : public ViewRows {
  public:
   explicit Visibility(const ViewFrame& frame)
       : frame_(frame),
-        seen_(frame, without_walls_at(frame.argument,
-                                      build_world(frame.scene, frame.state, WorldOf::everything),
-                                      rims_)) {}
+        seen_(frame,
+              without_walls_at(frame.argument,
+                               build_world(frame.scene, frame.state, WorldOf::everything), rims_)),
+        is_far_(frame.argument.cwiseAbs().maxCoeff() * 0x1p-52 >
+                0x1p-20 * (pixel_centre(frame, 1, 0) - pixel_centre(frame, 0, 0)).norm()) {}
 
   // Rays start at the point itself: the walls it lies on are told exactly, and hide nothing, as they
-  // are thin. What ends on a wall is lit.
+  // are thin. What ends on a wall is lit. Where the point is so far away that rounding the way to a pixel
+  // moves its end, they start at the pixels.
   void draw(int row, std::uint8_t* pixels) const override {
+    const Vec2& point = frame_.argument;
     RayBatch rays;
-    for (int i = 0; i < frame_.crop.width; ++i)
-      rays.add({frame_.argument, pixel_centre(frame_, frame_.crop.x + i, row) - frame_.argument});
+    for (int i = 0; i < frame_.crop.width; ++i) {
+      const Vec2 pixel = pixel_centre(frame_, frame_.crop.x + i, row);
+      rays.add(is_far_ ? Ray{pixel, point - pixel} : Ray{point, pixel - point});
+    }
     const std::vector<NearestHit> hits = seen_.nearest(rays);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       constexpr std::uint8_t kShadow = 64, kLit = 255;
-      const bool shadow = (hits[i] && hits[i].t < 1) || crosses_before_tip(rays.ray(i), rims_);
+      const double t = hits[i] ? hits[i].t : 1;
+      const bool shadow = (t < 1 && (t > 0 || !is_far_)) || crosses_before_tip(rays.ray(i), rims_);
       pixels = std::fill_n(pixels, 3, shadow ? kShadow : kLit);
     }
   }
@@ -58,6 +65,7 @@ class Visibility : public ViewRows {
   const ViewFrame frame_;
   Surfaces rims_;  // the walls that the point lies on
   const SeenWalls seen_;
+  const bool is_far_;
 };
 
 }  // namespace

@@ -89,6 +89,23 @@ shape = { box = { min = [-3, -1], max = [3, 1] } }
              });
 }
 
+// Of a picture that lies in a box all is dark, however far away the point is; right of the box nothing is
+// where the point is far to the right.
+TEST(View, APointFarAwayDoesNotShineThroughWalls) {
+  const auto box = [](const char* high) {
+    return fmt::format(R"(flatray = 1
+film = {{ size = [80, 80], world = [[-4, -4], [4, 4]] }}
+[[entity]]
+shape = {{ box = {{ min = [-5, -5], max = {} }} }}
+)",
+                       high);
+  };
+  for (const double far : {1e6, 1e15, 1e17, 1e30, 1e200}) {
+    expect_lit(box("[5, 5]"), {far, 2}, [](const Vec2&) { return false; });
+    expect_lit(box("[1, 5]"), {far, 2}, [](const Vec2& p) { return p.x() >= 1; });
+  }
+}
+
 // On a slanted wall rays from the pixels to the point end short of it or beyond by rounding, in
 // stripes.
 TEST(View, APointOnASlantedWallCastsNoStripes) {
