@@ -7,10 +7,16 @@
 namespace flatray {
 namespace {
 
-// Rows that are taken at once: what waits in them stays in the caches.
-int rows_at_once(std::size_t items) {
-  constexpr std::size_t kItemRows = std::size_t{1} << 15;
-  return static_cast<int>(std::max<std::size_t>(kItemRows / (items + 1), 4));
+// Rows that are taken at once: what waits in them stays in the caches, and pieces of long paths in memory.
+int rows_at_once(std::size_t items, std::size_t edges) {
+  constexpr std::size_t kItemRows = std::size_t{1} << 15, kEdgesAnItem = 32;
+  return static_cast<int>(std::max<std::size_t>(kItemRows / (items + edges / kEdgesAnItem + 1), 4));
+}
+
+std::size_t edges_of(const Region& region, const Band& band, const BandItem& item) {
+  if (item.edges > 0) return band.edges(item).size();
+  const FillPath* path = std::get_if<FillPath>(&region);
+  return path == nullptr ? 0 : path->edges.size();
 }
 
 int rays_of(const DrawList& list) {
@@ -47,12 +53,15 @@ BandScan::BandScan(const DrawList& list, bool hide, bool (*stop)())
 void BandScan::scan(const PixelBox& box, const Band& band, PixelSink& sink) {
   sink_ = &sink;
   looks_.clear();
+  std::size_t edges = 0;
   for (std::size_t i = 0; i < band.size(); ++i) {
     fetch(band, i);
-    looks_.emplace_back(list_.items[band[i].item]);
+    const DrawItem& item = list_.items[band[i].item];
+    looks_.emplace_back(item);
+    edges += edges_of(item.region, band, band[i]);
   }
   hidden_ = band.size();
-  const int at_once = rows_at_once(band.size());
+  const int at_once = rows_at_once(band.size(), edges);
   for (int top = box.y; top < box.bottom(); top += at_once) {
     box_ = {box.x, top, box.width, std::min(at_once, box.bottom() - top)};
     hidden_ = std::min(hidden_, take_items(band));
