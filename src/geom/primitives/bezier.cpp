@@ -105,15 +105,16 @@ Level level_of(const Bezier& wall, const Vec2& point) {
   const Ray ray{point, is_upright ? Vec2(1, 0) : Vec2(0, 1)};
   Level level{Sign::zero, PlaceOn::outside};
   double nearest = kInfinity;
+  const Bernstein<Bounded> ahead_of = ahead_of_ray(kBounded, wall, ray);
   for (const BezierRoot& root : roots_of(wall, ray)) {
-    const HitTime time = time_of(wall, ray, root);
-    const Sign ahead = time.sign();
+    const Bounded way = bernstein_value(ahead_of, root.s);
+    const Sign ahead = way.sign() ? *way.sign() : time_of(wall, ray, root).sign();
     if (ahead == Sign::zero) {
       const bool again = level.place != PlaceOn::outside;
       level.place = root.is_corner() || again ? PlaceOn::at_end : PlaceOn::inner;
       continue;
     }
-    const double distance = std::fabs(time.about());
+    const double distance = std::fabs(way.hi());
     if (root.root == Root::both || distance >= nearest) continue;
     nearest = distance;
     level.side = enters(root.root) ? ahead : -ahead;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/small_vector.h"
 #include "geom/bounds.h"
 #include "geom/enclosure.h"
 #include "geom/hit_interval.h"
@@ -52,7 +53,7 @@ Bezier mapped(Bezier curve, const Place& place) {
 /// A polynomial over [0, 1] by its Bernstein coefficients: what a linear form of the points of a Bezier
 /// curve is of the control points.
 template <class Number>
-using Bernstein = std::vector<Number>;
+using Bernstein = SmallVector<Number, 4>;
 
 /// The values of a form, a function of points, at the control points.
 template <class Form>
@@ -109,6 +110,31 @@ Bernstein<Number> bernstein_derivative(const Bernstein<Number>& c) {
     slope.push_back(c.size() == 2 ? rise : c.size() == 3 ? rise + rise : rise + rise + rise);
   }
   return slope;
+}
+/// Where between `low` and `high` a function of doubles changes its sign, about: by false positions, of
+/// which an end that stays twice counts half (Dowell and Jarratt 1971), every fourth time by halves.
+/// Needs   opposite signs there.
+template <class Function>
+double sign_change(const Function& value, double low, double high) {
+  double at_low = value(low), at_high = value(high);
+  for (int i = 1, stayed = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    double s = i % 4 == 0 ? middle : low + (high - low) * (at_low / (at_low - at_high));
+    if (!(s > low && s < high)) s = middle;
+    if (!(s > low && s < high)) break;
+    const double here = value(s);
+    if (here == 0) return s;
+    if ((here < 0) == (at_low < 0)) {
+      low = s, at_low = here;
+      if (stayed == 1) at_high *= 0.5;
+      stayed = 1;
+    } else {
+      high = s, at_high = here;
+      if (stayed == -1) at_low *= 0.5;
+      stayed = -1;
+    }
+  }
+  return high;
 }
 /// The same polynomial by powers of s.
 Polynomial powers_of(Bernstein<Rational> c);

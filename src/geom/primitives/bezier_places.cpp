@@ -48,12 +48,7 @@ void visit_roots(const Plain& p, double low, double high, const Use& use) {
     visit_roots(parts[1], middle, high, use);
     return;
   }
-  double from = 0, to = 1;
-  for (int i = 0; i < 53; ++i) {
-    const double middle = 0.5 * (from + to);
-    ((p.at(middle) < 0) == (p.c[0] < 0) ? from : to) = middle;
-  }
-  use(low + (high - low) * from);
+  use(low + (high - low) * sign_change([&](double s) { return p.at(s); }, 0, 1));
 }
 
 }  // namespace

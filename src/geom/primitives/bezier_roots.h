@@ -61,7 +61,7 @@ class BernsteinRoots {
       const auto n = static_cast<double>(c.size() - 1);
       if (*first == Sign::zero) {
         ++at_low;
-        c.erase(c.begin());
+        c.pop_front();
         for (std::size_t k = 0; k < c.size(); ++k)
           c[k] = c[k] * make_(n / static_cast<double>(k + 1));
       } else if (*last == Sign::zero) {
@@ -111,18 +111,14 @@ class BernsteinRoots {
   std::optional<Number> root_within(const Bernstein<Number>& c) const {
     Bernstein<double> plain;
     for (const Number& each : c) plain.push_back(plain_(each));
-    double low = 0, high = 1;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      ((bernstein_value(plain, middle) > 0) == (plain.back() > 0) ? high : low) = middle;
-    }
+    const double near = sign_change([&](double s) { return bernstein_value(plain, s); }, 0, 1);
     const Bernstein<Number> slope = bernstein_derivative(c);
     for (const double reach : {0x1p-30, 0x1p-37, 0x1p-44, 0x1p-51}) {
-      if (!(low > reach && high < 1 - reach)) continue;
-      const Number middle = make_(high), around = either_root(make_(reach * reach));
+      if (!(near > reach && near < 1 - reach)) continue;
+      const Number middle = make_(near), around = either_root(make_(reach * reach));
       Number root = newton(c, slope, middle, middle + around);
-      if ((root - make_(high - reach)).sign() != Sign::positive ||
-          (make_(high + reach) - root).sign() != Sign::positive)
+      if ((root - make_(near - reach)).sign() != Sign::positive ||
+          (make_(near + reach) - root).sign() != Sign::positive)
         continue;
       for (int step = 1; step < steps_; ++step) root = newton(c, slope, root.middle(), root);
       return root;
