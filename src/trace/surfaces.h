@@ -35,8 +35,8 @@ struct Surfaces {
     if (slot < kCurved) return use(segments[slot]);
     return slot < kBezier ? use(arcs[slot - kCurved]) : use(beziers[slot - kBezier]);
   }
-  /// The same of a segment or an arc. Callers know that it is one, as OffsetOrigins::Wall::is_plain
-  /// and scene/moving_mirrors.cpp say; of another it throws std::out_of_range.
+  /// The same of a segment or an arc. Callers know that it is one, as scene/moving_mirrors.cpp
+  /// says; of another it throws std::out_of_range.
   template <class Use>
   decltype(auto) visit_line_or_arc(std::uint32_t surface, const Use& use) const {
     const std::uint32_t slot = slots_[surface];

@@ -6,7 +6,7 @@
 
 #include "geom/box_tree.h"
 #include "geom/decide.h"
-#include "geom/primitives/arc.h"
+#include "geom/primitives/wall.h"
 
 namespace flatray {
 namespace {
@@ -73,6 +73,30 @@ OffsetOrigins::Wall OffsetOrigins::wall(const Arc& arc) const {
   return made;
 }
 
+// Where all legs of its control polygon lead along its chord, at angles of a cosine above 1/4, so does the
+// curve: it passes by no place again.
+OffsetOrigins::Wall OffsetOrigins::wall(const Bezier& curve) const {
+  constexpr double kLeastAhead = 0.25;
+  const auto length = [](const Vec2& v) { return std::sqrt(v.squaredNorm()); };
+  const Vec2 chord = curve.end() - curve.start();
+  Wall made;
+  made.at = curve.start();
+  made.length = length(chord);
+  made.is_plain = true;
+  if (!(made.length > apart_)) return made;
+  made.normal = chord / made.length;
+  double ahead = kInfinity, longest = 0, bend = 0;
+  for (int k = 0; k < curve.degree; ++k) {
+    const Vec2 leg = curve.point(k + 1) - curve.point(k);
+    ahead = std::min(ahead, made.normal.dot(leg)), longest = std::max(longest, length(leg));
+    if (k > 0) bend = std::max(bend, length(leg - (curve.point(k) - curve.point(k - 1))));
+  }
+  const double n = curve.degree, speed = n * ahead;
+  made.ready = ahead > kLeastAhead * longest &&
+               speed * speed > kLeastBend * (distance_ / kDistance) * (n * (n - 1) * bend);
+  return made;
+}
+
 Bounds OffsetOrigins::box(std::uint32_t surface) const {
   Bounds made = walls_.visit(surface, [](const auto& wall) { return bounds_of(wall); });
   const Vec2 around = Vec2::Constant(2 * apart_);
@@ -106,7 +130,9 @@ void OffsetOrigins::find_neighbours() {
   }
 }
 
-void OffsetOrigins::keep_neighbours(const Arc&, Wall& wall, std::span<const std::uint32_t> others) {
+template <class Curve>
+void OffsetOrigins::keep_neighbours(const Curve&, Wall& wall,
+                                    std::span<const std::uint32_t> others) {
   wall.begin = static_cast<std::uint32_t>(near_.size());
   near_.insert(near_.end(), others.begin(), others.end());
   wall.end = static_cast<std::uint32_t>(near_.size());
@@ -118,8 +144,7 @@ void OffsetOrigins::keep_neighbours(const Segment&, Wall& wall,
   std::vector<Stretch> found;
   for (const std::uint32_t i : others) {
     if (table_[i].is_plain)
-      walls_.visit_line_or_arc(i,
-                               [&](const auto& other) { add_near(wall, other, table_[i], found); });
+      walls_.visit(i, [&](const auto& other) { add_near(wall, other, table_[i], found); });
     else
       found.push_back({-3 * apart_, wall.length + 3 * apart_});
   }
@@ -171,12 +196,33 @@ void OffsetOrigins::add_near(const Wall& wall, const Arc& other, const Wall& sec
   found.push_back({(middle + inner) / speed, (middle + outer) / speed});
 }
 
+// By halves of its control polygon, as far as they come near.
+void OffsetOrigins::add_near(const Wall& wall, const Bezier& other, const Wall&,
+                             std::vector<Stretch>& found) const {
+  constexpr int kHalvings = 12;
+  const double far = 3 * apart_;
+  const auto by = [&](const Vec2& axis) {
+    return bernstein_of(other, [&](const Vec2& p) { return axis.dot(p - wall.at); });
+  };
+  const auto add = [&](const auto& self, const Bernstein<double>& off,
+                       const Bernstein<double>& place, int halvings) -> void {
+    if (*std::ranges::min_element(off) > far || *std::ranges::max_element(off) < -far) return;
+    if (halvings == 0) {
+      found.push_back(
+          {*std::ranges::min_element(place) - far, *std::ranges::max_element(place) + far});
+      return;
+    }
+    const auto offs = halves(off, 0.5), places = halves(place, 0.5);
+    for (std::size_t part = 0; part < 2; ++part) self(self, offs[part], places[part], halvings - 1);
+  };
+  add(add, by(wall.normal), by(along(wall.normal)), kHalvings);
+}
+
 // Whether all of wall b, or of its box, is on one side of segment a, or of its ends, or inside curve a.
 bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b, const Bounds& box) const {
   if (!table_[a].is_plain) return false;
   const auto points = walls_.visit(b, [&](const auto& other) { return corners(other, box); });
-  return walls_.visit_line_or_arc(
-      a, [&](const auto& wall) { return are_far(wall, table_[a], points); });
+  return walls_.visit(a, [&](const auto& wall) { return are_far(wall, table_[a], points); });
 }
 
 bool OffsetOrigins::are_far(const Arc& arc, const Wall& wall, std::span<const Vec2> points) const {
@@ -209,11 +255,15 @@ bool OffsetOrigins::is_far(const Segment&, const Wall& wall, const Vec2& point) 
   return std::fabs(wall.normal.dot(from)) > far || place < -far || place > wall.length + far;
 }
 
-bool OffsetOrigins::ends_far(const Arc& arc, const Vec2& point) const {
+bool OffsetOrigins::is_far(const Bezier& curve, const Wall&, const Vec2& point) const {
+  return !passes_near(curve, point, Vec2::Constant(2 * apart_));
+}
+
+bool OffsetOrigins::ends_far(const Vec2& one, const Vec2& other, const Vec2& point) const {
   const auto far = [&](const Vec2& end) {
     return (point - end).cwiseAbs().maxCoeff() > 2 * apart_;
   };
-  return arc.extent == Arc::Extent::whole || (far(arc.from) && far(arc.to));
+  return far(one) && far(other);
 }
 
 std::optional<OffsetOrigins::WallPoint> OffsetOrigins::meet(const Ray& ray,
@@ -223,8 +273,7 @@ std::optional<OffsetOrigins::WallPoint> OffsetOrigins::meet(const Ray& ray,
   if (!wall.ready || !crosses || !(ray.origin.cwiseAbs().maxCoeff() + hit.t < farthest_))
     return std::nullopt;
   WallPoint met{ray.origin + hit.t * ray.direction, wall.normal};
-  if (!walls_.visit_line_or_arc(hit.surface,
-                                [&](const auto& each) { return is_clear(each, wall, met); }))
+  if (!walls_.visit(hit.surface, [&](const auto& each) { return is_clear(each, wall, met); }))
     return std::nullopt;
   if (!(std::fabs(met.normal.dot(ray.direction)) > kLeastCosine)) return std::nullopt;
   return met;
@@ -241,12 +290,27 @@ bool OffsetOrigins::is_clear(const Segment&, const Wall& wall, const WallPoint& 
 bool OffsetOrigins::is_clear(const Arc& arc, const Wall& wall, WallPoint& met) const {
   const Vec2 normal = normal_near(arc, met.point);
   met.normal = normal / std::sqrt(normal.x() * normal.x() + normal.y() * normal.y());
-  return ends_far(arc, met.point) &&
-         std::all_of(near_.begin() + wall.begin, near_.begin() + wall.end, [&](std::uint32_t i) {
-           return table_[i].is_plain && walls_.visit_line_or_arc(i, [&](const auto& other) {
-             return is_far(other, table_[i], met.point);
-           });
-         });
+  const bool whole = arc.extent == Arc::Extent::whole;
+  return (whole || ends_far(arc.from, arc.to, met.point)) && others_far(wall, met.point);
+}
+
+// As does this: upright on the curve where that is as far along the chord.
+bool OffsetOrigins::is_clear(const Bezier& curve, const Wall& wall, WallPoint& met) const {
+  const double place = wall.normal.dot(met.point - wall.at);
+  const auto beyond =
+      bernstein_of(curve, [&](const Vec2& p) { return wall.normal.dot(p - wall.at) - place; });
+  if (!(beyond.front() < 0 && beyond.back() > 0)) return false;
+  const Vec2 tangent =
+      tangent_at(curve, sign_change([&](double s) { return bernstein_value(beyond, s); }, 0, 1));
+  met.normal = Vec2(-tangent.y(), tangent.x()) / std::sqrt(tangent.squaredNorm());
+  return ends_far(curve.start(), curve.end(), met.point) && others_far(wall, met.point);
+}
+
+bool OffsetOrigins::others_far(const Wall& wall, const Vec2& point) const {
+  return std::all_of(near_.begin() + wall.begin, near_.begin() + wall.end, [&](std::uint32_t i) {
+    return table_[i].is_plain &&
+           walls_.visit(i, [&](const auto& other) { return is_far(other, table_[i], point); });
+  });
 }
 
 }  // namespace flatray

@@ -44,15 +44,15 @@ class OffsetOrigins {
 
  private:
   struct Wall {
-    Vec2 at, normal;                   // a segment's end a; a curve's centre
-    double length = 0;                 // of a curve the least distance from its centre
+    Vec2 at, normal;    // an end a; a centre; of a Bezier curve the chord's direction
+    double length = 0;  // of an arc the least distance from its centre
     std::uint32_t begin = 0, end = 0;  // in stretches_ of a segment, in near_ of a curve
     bool ready = false;                // its points have origins beside them
-    bool is_plain = false;             // a segment, or an arc whose ends lie on it
+    bool is_plain = false;             // no arc, or one whose ends lie on it
   };
   Wall wall(const Segment& ends) const;
   Wall wall(const Arc& arc) const;
-  Wall wall(const Bezier&) const { return {}; }
+  Wall wall(const Bezier& curve) const;
   Bounds box(std::uint32_t surface) const;
   // Of a segment, from its end a, where others come near.
   struct Stretch {
@@ -60,21 +60,27 @@ class OffsetOrigins {
   };
   void find_neighbours();
   void keep_neighbours(const Segment&, Wall& wall, std::span<const std::uint32_t> others);
-  void keep_neighbours(const Arc&, Wall& wall, std::span<const std::uint32_t> others);
-  void keep_neighbours(const Bezier&, Wall&, std::span<const std::uint32_t>) {}
+  template <class Curve>
+  void keep_neighbours(const Curve&, Wall& wall, std::span<const std::uint32_t> others);
   // Of `other`, which is plain.
   void add_near(const Wall& wall, const Segment& other, const Wall& second,
                 std::vector<Stretch>& found) const;
   void add_near(const Wall& wall, const Arc& other, const Wall& second,
                 std::vector<Stretch>& found) const;
+  void add_near(const Wall& wall, const Bezier& other, const Wall& second,
+                std::vector<Stretch>& found) const;
   bool is_clear(const Segment&, const Wall& wall, const WallPoint& met) const;
   bool is_clear(const Arc& arc, const Wall& wall, WallPoint& met) const;
+  bool is_clear(const Bezier& curve, const Wall& wall, WallPoint& met) const;
+  bool others_far(const Wall& wall, const Vec2& point) const;
   bool is_far(const Segment&, const Wall& wall, const Vec2& point) const;
   bool is_far(const Arc& arc, const Wall& wall, const Vec2& point) const;
+  bool is_far(const Bezier& curve, const Wall& wall, const Vec2& point) const;
   bool are_far(std::uint32_t a, std::uint32_t b, const Bounds& box) const;
   bool are_far(const Segment&, const Wall& wall, std::span<const Vec2> points) const;
   bool are_far(const Arc& arc, const Wall& wall, std::span<const Vec2> points) const;
-  bool ends_far(const Arc& arc, const Vec2& point) const;
+  bool are_far(const Bezier&, const Wall&, std::span<const Vec2>) const { return false; }
+  bool ends_far(const Vec2& one, const Vec2& other, const Vec2& point) const;
 
   const Surfaces& walls_;
   double apart_ = 0, distance_ = 0, farthest_ = 0;

@@ -19,7 +19,7 @@ Ray from_to(const Vec2& from, const Vec2& to) {
   return {from, way / std::sqrt(way.squaredNorm())};
 }
 
-// Outlines, walls that cross, discs, an ellipse, and arcs that end on others.
+// Outlines, walls that cross, discs, an ellipse, arcs and Bezier curves that end on others.
 Surfaces crowd(Draws& draws, double size) {
   Surfaces walls;
   for (int i = 0; i < 12; ++i) {
@@ -36,6 +36,12 @@ Surfaces crowd(Draws& draws, double size) {
   const Vec2 from = centre + Vec2(size / 4, 0), to = centre + Vec2(0, size / 4);
   walls.add(Arc{Circle{centre, size / 4}, Arc::Extent::between, from, to});
   walls.add(Segment{to, from});
+  const Vec2 way = point(draws, size / 8), left(-way.y(), way.x()), start = point(draws, size / 2);
+  const double bulge = draws.unit() - 0.5, other = draws.unit() - 0.5;
+  walls.add(
+      Bezier(start, start + way / 3 + bulge * left, start + way / 1.5 + other * left, start + way));
+  walls.add(Segment{start + way, start + way + left});
+  walls.add(Bezier(start, start - way / 2 + bulge * left, start - way));
   return walls;
 }
 
@@ -50,6 +56,12 @@ double distance(const Surfaces& walls, std::uint32_t surface, const Vec2& point)
     const double share = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
     return size(px - share * ex, py - share * ey);
   }
+  if (surface == walls.size() - 3 || surface == walls.size() - 1)
+    return walls.visit(surface, [&](const auto& wall) {
+      if constexpr (std::is_same_v<decltype(wall), const Bezier&>)
+        return (point_at(wall, parameter_near(wall, point)) - point).norm();
+      return 0.0;
+    });
   const Ellipse curve = walls.arc(surface).curve;
   const double x = point.x() - curve.centre.x();
   const double y = point.y() - curve.centre.y();
@@ -172,6 +184,26 @@ TEST(OffsetOrigins, NorNearTheEndOfAnArcNorOfCurvesWithoutOne) {
   EXPECT_TRUE(meets({0.1, 0.1}, {0.7, 0.7}));
   EXPECT_FALSE(meets({0.1, 0.1}, {0x1p-38, 1}));
   EXPECT_FALSE(meets({3.1, 0.1}, {3.7, 0.7}));
+}
+
+// A curve that comes back beside itself, one that turns within less than a 2^-20 of all, and one with a cusp
+// have none; a parabola and a cubic that lead along their chords have, but at their ends.
+TEST(OffsetOrigins, NorOnBezierCurvesThatTurnBack) {
+  const auto meets = [](const Bezier& curve, const Vec2& from, const Vec2& to) {
+    Surfaces walls;
+    walls.add(curve);
+    const Ray ray = from_to(from, to);
+    const NearestHit hit = accelerate(walls)->nearest_of_one(ray, {}, false);
+    EXPECT_TRUE(hit) << from;
+    return OffsetOrigins(walls).meet(ray, hit).has_value();
+  };
+  EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 1}, {1, 0}), {0.1, -1}, {0.2, 1}));
+  EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 1}, {1, -1}, {2, 0}), {0.1, -1}, {0.2, 1}));
+  EXPECT_FALSE(meets(Bezier({-1, 0}, {0, 1}, {1, 0}), {0, -1}, {1 - 0x1p-38, 0}));
+  EXPECT_FALSE(meets(Bezier({0, 0}, {4, 1}, {0, 0.125}), {1, -1}, {1.1, 2}));
+  EXPECT_FALSE(meets(Bezier({-1, 0}, {1, 1}, {-1, 1}, {1, 0}), {0.1, -1}, {0.2, 1}));
+  EXPECT_FALSE(meets(Bezier({-1, 0}, {0, 0x1p-23}, {0x1p-22, 0x1p-23}, {0x1p-21, 1}), {-0.5, -1},
+                     {-0.4, 1}));
 }
 
 }  // namespace
