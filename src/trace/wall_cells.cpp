@@ -190,7 +190,9 @@ std::vector<std::uint32_t> WallCells::near(const Ray& ray) const {
   std::sort(all.surfaces.begin(), all.surfaces.end());
   all.surfaces.erase(std::unique(all.surfaces.begin(), all.surfaces.end()), all.surfaces.end());
   std::erase_if(all.surfaces, [&](std::uint32_t surface) {
-    const auto filter = [&](const auto& wall) { return filter_curve(ray, wall, Root::none).verdict; };
+    const auto filter = [&](const auto& wall) {
+      return filter_curve(ray, wall, Root::none).verdict;
+    };
     return walls_.visit(surface, filter) == FilteredCurve::Verdict::missed;
   });
   return all.surfaces;
