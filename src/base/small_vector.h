@@ -22,7 +22,7 @@ class SmallVector {
   SmallVector(SmallVector&& other) noexcept : size_(other.size_) {
     std::uninitialized_move_n(other.begin(), size_, begin());
   }
-  SmallVector& operator=(SmallVector other) noexcept {
+  SmallVector& operator=(SmallVector other) {
     std::destroy(begin(), end());
     size_ = other.size_;
     std::uninitialized_move_n(other.begin(), size_, begin());
@@ -41,9 +41,9 @@ class SmallVector {
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  Value* begin() { return std::launder(reinterpret_cast<Value*>(raw_)); }
+  Value* begin() { return storage_.values; }
   Value* end() { return begin() + size_; }
-  const Value* begin() const { return std::launder(reinterpret_cast<const Value*>(raw_)); }
+  const Value* begin() const { return storage_.values; }
   const Value* end() const { return begin() + size_; }
   Value& operator[](std::size_t i) { return begin()[i]; }
   const Value& operator[](std::size_t i) const { return begin()[i]; }
@@ -53,7 +53,11 @@ class SmallVector {
   const Value& back() const { return begin()[size_ - 1]; }
 
  private:
-  alignas(Value) std::byte raw_[kMost * sizeof(Value)];
+  union Storage {
+    Value values[kMost];
+    Storage() {}
+    ~Storage() {}
+  } storage_;
   std::size_t size_ = 0;
 };
 

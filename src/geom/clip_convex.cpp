@@ -18,10 +18,12 @@ struct Flight {
 Flight along(const Segment& edge) { return {{edge.a, edge.b}, edge.a}; }
 
 Sides look_along(const Flight& flight, Vertices vertices) {
-  const auto& [ray, velocity] = flight;
+  const Ray& ray = flight.ray;
   return sides_of(
       vertices.size(),
-      [&](std::size_t k) { return cross_sign(velocity, ray.direction, ray.origin, vertices[k]); },
+      [&](std::size_t k) {
+        return cross_sign(flight.velocity, ray.direction, ray.origin, vertices[k]);
+      },
       [&](std::size_t k) { return vertices[k] != edge_end(vertices, k); });
 }
 

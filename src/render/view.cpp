@@ -37,6 +37,11 @@ std::vector<NearestHit> SeenWalls::nearest(const RayBatch& rays) const {
   return hits;
 }
 
+bool SeenWalls::crosses(const Ray& ray) const {
+  const std::vector<NearestHit> hits = walls_->all_of_one(ray);
+  return std::ranges::any_of(hits, [](const NearestHit& hit) { return hit.t > 0 && hit.t < 1; });
+}
+
 std::uint8_t grey_of(double value, double most) {
   return static_cast<std::uint8_t>(std::lround(255 * (1 - std::clamp(value / most, 0.0, 1.0))));
 }

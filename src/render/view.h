@@ -70,6 +70,8 @@ class SeenWalls {
 
   /// What each ray of a row meets first.
   std::vector<NearestHit> nearest(const RayBatch& rays) const;
+  /// Whether a ray meets any after its start and before its tip, at t = 1.
+  bool crosses(const Ray& ray) const;
   const SurfaceOwner& owner(const NearestHit& hit) const { return world_.owner(hit.surface); }
 
  private:

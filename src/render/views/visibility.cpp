@@ -55,8 +55,10 @@ class Visibility : public ViewRows {
     const std::vector<NearestHit> hits = seen_.nearest(rays);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       constexpr std::uint8_t kShadow = 64, kLit = 255;
-      const double t = hits[i] ? hits[i].t : 1;
-      const bool shadow = (t < 1 && (t > 0 || !is_far_)) || crosses_before_tip(rays.ray(i), rims_);
+      const Ray ray = rays.ray(i), from_point = is_far_ ? Ray{point, -ray.direction} : ray;
+      const bool is_on_wall = is_far_ && hits[i] && hits[i].t == 0;
+      const bool shadow = (is_on_wall ? seen_.crosses(ray) : hits[i] && hits[i].t < 1) ||
+                          crosses_before_tip(from_point, rims_);
       pixels = std::fill_n(pixels, 3, shadow ? kShadow : kLit);
     }
   }

@@ -238,10 +238,15 @@ constexpr Key<LightSettings> kLightKeys[] = {
     {{"layer", "whole number", "-1"}, &set_integer<&LightSettings::layer, -1000000, 1000000>},
 };
 
-// Whether light is surely inside or outside of it, by the side of each of its walls.
+// Whether light is surely inside or outside of it, by the side of each of its walls. A ring of a whole turn
+// has a slit, whose two sides lie on one another.
 bool is_body(const Shape& shape) {
   const PartCounts parts = part_counts(shape);
-  return parts.lines() + parts.crossing_rings == 0 && parts.areas() > 0;
+  const auto has_slit = [](const ArcPath& path) {
+    return path.arcs.size() > 1 && std::ranges::all_of(path.arcs, &EllipseArc::is_whole);
+  };
+  return parts.lines() + parts.crossing_rings == 0 && parts.areas() > 0 &&
+         std::ranges::none_of(shape.arc_paths, has_slit);
 }
 
 const char* reason_dark(const Scene& scene, const LampLight& light) {
@@ -276,8 +281,10 @@ void expect_body(Builder& builder, ScattererId scatterer, ShapeId shape, const P
   if (scatterer == kNoEntry || scene.scatterers[scatterer]->index(0) == 0 ||
       shape >= scene.shapes.size() || is_body(scene.shapes[shape]))
     return;
-  builder.in.problem(where, "what is of glass here has no inside",
-                     "glass is for polygons, circles, ellipses, and what arcs enclose");
+  builder.in.problem(
+      where, "what is of glass here has no inside, or is a ring with a slit",
+      "glass is for polygons, circles, ellipses, and what arcs enclose; make a ring of a "
+      "disc with one of index = 1 in it");
 }
 
 }  // namespace
@@ -288,6 +295,10 @@ void check_light(Builder& builder) {
     expect_body(builder, entity.scatterer, entity.shape, entity.where);
   for (const Chamber& chamber : scene.chambers) {
     expect_body(builder, chamber.scatterer, chamber.shape, chamber.where);
+    if (!chamber.holes.empty() && chamber.scatterer != kNoEntry &&
+        scene.scatterers[chamber.scatterer]->index(0) != 0)
+      builder.in.problem(chamber.holes.front().where, "walls of glass have no holes",
+                         "leave the holes out, or make the walls mirrors");
     for (const Chamber::Pillar& pillar : chamber.pillars)
       expect_body(builder, pillar.scatterer, pillar.shape, pillar.where);
     if (chamber.material == Material::periodic && !scene.lamps.empty())

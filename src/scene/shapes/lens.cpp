@@ -13,12 +13,11 @@ constexpr KeyInfo kKeys[] = {{"height", "number or a curve", kRequired},
                              {"radii", "[left, right] or a curve", kRequired},
                              {"centre", "[x, y] or a curve", "[0, 0]"}};
 
-// How far a face of a radius comes back from its vertex at the rim.
+// How far a face of a radius comes back from its vertex at the rim. Needs   |radius| >= half.
 double sagitta(double radius, double half) {
-  return radius == 0 ? 0
-                     : half * (half / (radius + std::copysign(std::sqrt((std::fabs(radius) - half) *
-                                                                        (std::fabs(radius) + half)),
-                                                              radius)));
+  if (radius == 0) return 0;
+  const double size = std::fabs(radius), rest = std::sqrt(size - half) * std::sqrt(size + half);
+  return std::copysign(half * (half / (size + rest)), radius);
 }
 
 // Counter-clockwise about the lens: up the right face (outward = 1), down the left one (-1).
@@ -40,11 +39,17 @@ void add_face(const Vec2& vertex, double radius, double half, double outward,
 Result<Shape> build(Args& args) {
   const Vec2 radii = args.point("radii"), centre = args.point("centre");
   const double half = 0.5 * args.size("height"), depth = 0.5 * args.size("thickness");
-  for (const double radius : {radii.x(), radii.y()})
-    if (radius != 0 && !(std::fabs(radius) >= half))
+  constexpr double kFlat = 1e6;  // beyond it rounding the centre would show in the thickness
+  for (const double radius : {radii.x(), radii.y()}) {
+    if (radius == 0) continue;
+    if (!(std::fabs(radius) >= half))
       return fail(args.place("radii"),
                   "a face of the lens is less than half as wide as the lens is high",
                   "write radii of half the height and more, or 0 for a flat face");
+    if (!(std::fabs(radius) <= 2 * kFlat * std::min(half, depth)))
+      return fail(args.place("radii"), "a face of the lens is flat but for rounding",
+                  "write 0 for a flat face, or radii of at most 10^6 times height and thickness");
+  }
   if (!(sagitta(radii.x(), half) + sagitta(radii.y(), half) <= 2 * depth))
     return fail(args.place("thickness"), "the faces of the lens cross before they come to its rim",
                 "write a larger thickness, which is that at the axis, or a smaller height");

@@ -20,6 +20,7 @@ Result<Shape> build(Args& args) {
   if (!(inner >= 0 && inner < radius))
     return fail(args.place("inner"), "sector.inner does not lie between 0 and the radius",
                 "write a smaller radius, or leave it out");
+  if (inner == 0 && outer->is_whole()) return shape_of(ArcPath{{*outer}, true});
   EllipseArc back = *outer;
   const double share = inner / radius;
   back.u *= share, back.v *= share;

@@ -207,7 +207,9 @@ void OffsetOrigins::add_near(const Wall& wall, const Bezier& other, const Wall&,
   const auto add = [&](const auto& self, const Bernstein<double>& off,
                        const Bernstein<double>& place, int halvings) -> void {
     if (*std::ranges::min_element(off) > far || *std::ranges::max_element(off) < -far) return;
-    if (halvings == 0) {
+    const bool all_near =
+        *std::ranges::min_element(off) >= -far && *std::ranges::max_element(off) <= far;
+    if (halvings == 0 || all_near) {
       found.push_back(
           {*std::ranges::min_element(place) - far, *std::ranges::max_element(place) + far});
       return;

@@ -103,6 +103,11 @@ shape = {{ box = {{ min = [-5, -5], max = {} }} }}
   for (const double far : {1e6, 1e15, 1e17, 1e30, 1e200}) {
     expect_lit(box("[5, 5]"), {far, 2}, [](const Vec2&) { return false; });
     expect_lit(box("[1, 5]"), {far, 2}, [](const Vec2& p) { return p.x() >= 1; });
+    // A pixel whose centre is on a wall, behind another.
+    expect_lit(box("[1.05, 5]") +
+                   "[[entity]]\nshape = { segment = { from = [0.05, -4], to = [0.05, 4] } }\n"
+                   "stroke = { width = 1, colour = \"#000000\" }\n",
+               {far, 2}, [](const Vec2& p) { return p.x() >= 1.05; });
   }
 }
 

@@ -1,4 +1,4 @@
-// needs: shapes/arc shapes/box shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ranges lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass formats/toml
+// needs: shapes/arc shapes/box shapes/sector shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ranges lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass formats/toml
 // Lamps and materials as scenes have them, and what they do with rays.
 #include <cmath>
 
@@ -321,6 +321,21 @@ TEST(Materials, OfGlassNeedAnInside) {
     expect_problem("flatray = 1\n[[entity]]\nshape = { " + std::string(shape) +
                        " }\nmaterial = { glass = {} }\n",
                    "what is of glass here has no inside");
+  expect_problem(
+      "flatray = 1\n[[entity]]\nshape = { sector = { radius = 2, inner = 1, from = 0, to = 360 } "
+      "}\n"
+      "material = { glass = {} }\n",
+      "or is a ring with a slit");
+  expect_problem(
+      "flatray = 1\n[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n"
+      "material = { glass = {} }\nholes = [{ edge = 0, from = 0.2, to = 0.3 }]\n",
+      "walls of glass have no holes");
+  EXPECT_TRUE(
+      loaded("flatray = 1\n[[entity]]\nshape = { sector = { radius = 2, from = 0, to = 360 } }\n"
+             "material = { glass = {} }\n")
+          .scene.shapes.at(0)
+          .arc_paths.at(0)
+          .is_ellipse());
   const char* periodic =
       "flatray = 1\n[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\nmaterial = "
       "'periodic'\n[[lamp]]\nsource = { point = {} }\n";

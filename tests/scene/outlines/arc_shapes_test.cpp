@@ -81,6 +81,9 @@ TEST(Shapes, CurvesThatAreNoneAreRefused) {
       {"capsule = { from = [0, 0], to = [1, 0], radius = -1 }", "capsule.radius is -1"},
       {"lens = { height = 2, thickness = 1, radii = [2, -0.9] }",
        "less than half as wide as the lens"},
+      {"lens = { height = 2, thickness = 1, radii = [2, 1e7] }", "flat but for rounding"},
+      {"lens = { height = 1e200, thickness = 1e199, radii = [1e200, 1e200] }",
+       "cross before they come to its rim"},
       {"lens = { height = 2, thickness = 0.9, radii = [1, 0] }",
        "cross before they come to its rim"},
   };
