@@ -1,5 +1,7 @@
 #include "anim/rays.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,6 +70,11 @@ std::vector<RayState> ray_states(const Scene& scene, const FrameState& state) {
   const Pose world = world_pose(state);
   for (RayState& ray : states) ray.start.origin = world(ray.start.origin);
   return states;
+}
+
+std::string ray_name(const Scene& scene, std::uint32_t ray) {
+  const std::string& name = scene.rays[ray].name;
+  return name.empty() ? fmt::format("ray {}", ray + 1) : name;
 }
 
 bool moves(const RayPath& ray) {

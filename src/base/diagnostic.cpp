@@ -47,16 +47,20 @@ std::string excerpt(const Place& where, SourceText::Position at, const std::stri
                      hint.empty() ? "" : "  ", shown_text(hint));
 }
 
+// Characters to change, to add, to leave out, or to swap with their neighbour (optimal string
+// alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1), last = row, before = row;
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before.swap(last);
+    last = row;
     row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
+      const std::size_t change = last[j] + (a[i] == b[j] ? 0 : 1);
+      row[j + 1] = std::min({change, row[j] + 1, last[j + 1] + 1});
+      if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j])
+        row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
     }
   }
   return row.back();
@@ -105,7 +109,7 @@ std::string called(std::string_view what, std::string_view name, const Place& wh
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(word.size() / 3, 1) + 1;
-  if (word.size() > 64) return best;
+  if (word.size() < 2 || word.size() > 64) return best;
   for (const std::string& candidate : known) {
     const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
     if (longer - shorter >= best_distance) continue;

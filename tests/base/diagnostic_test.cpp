@@ -122,8 +122,12 @@ TEST(Called, WhatHasNoNameIsKnownByItsLine) {
 TEST(NearestWord, FindsTypingMistakesAndNothingElse) {
   const std::vector<std::string> keys = {"velocity", "angle", "at", "name"};
   EXPECT_EQ(nearest_word("velocty", keys), "velocity");
-  EXPECT_EQ(nearest_word("anlge", keys), "");  // two changes in five letters: not near
-  EXPECT_EQ(nearest_word("angel", {"angle", "name"}), "");
+  EXPECT_EQ(nearest_word("alnge", {"angel"}), "");  // two changes in five letters: not near
+  EXPECT_EQ(nearest_word("anlge", keys), "angle");
+  EXPECT_EQ(nearest_word("flim", {"rays", "film"}), "film");
+  EXPECT_EQ(nearest_word("pwoer", {"power"}), "power");
+  EXPECT_EQ(nearest_word("shpae", {"shape"}), "shape");
+  EXPECT_EQ(nearest_word("D", {"A"}), "");
   EXPECT_EQ(nearest_word("nme", keys), "name");
   EXPECT_EQ(nearest_word("colour", keys), "");
   EXPECT_EQ(nearest_word("velocity", {}), "");

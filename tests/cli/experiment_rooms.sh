@@ -53,6 +53,12 @@ exists sweep/sweep.csv sweep/sweep.json sweep/sweep_mean_free_path.svg
 grep -q 'lengths in world units' sweep/sweep_mean_free_path.svg || fail "a plot of a sweep says no units"
 run 0 experiment mean-free-path "$sinai" --count 5000 -n 50 -o kept --sweep seed=1,2 --resume
 [[ -z $(find kept -mindepth 1 -type d) ]] || fail "a sweep leaves empty folders"
+# The value that fails is named; a folder is not standard output.
+run 4 experiment mean-free-path "$sinai" --count 5000 --sweep chamber.0.pillars.0.shape.circle.radius=0.1,3
+says err '(--sweep chamber.0.pillars.0.shape.circle.radius=3)'
+run 2 experiment mean-free-path "$sinai" -o -
+says err '--output: error: is a folder, which standard output is not'
+absent ./-
 run 2 experiment mean-free-path "$sinai" --sweep radius
 says err "write KEY=0.1..0.4:0.05"
 run 2 experiment mean-free-path "$sinai" --sweep radius=1..0:0.1

@@ -18,6 +18,9 @@ SCENE
 run 0 hit row.toml --ray 0,1,1,0 --op union
 says out 'ray: 1 part, length 5'
 says out '  t from 1 to 6'
+run 0 hit row.toml --ray 0,1,4,0 --op union # a length is in world units, t in lengths of the direction
+says out 'ray: 1 part, length 5'
+says out '  t from 0.25 to 1.5'
 run 0 hit row.toml --ray 0,1,1,0 --op intersection --json
 says out '"parts":[[3,4]],"length":1'
 run 0 hit row.toml --ray 0,1,1,0 --op difference --against left
@@ -28,6 +31,8 @@ says out 'ray,part,t_enter,t_exit'
 says out 'ray,0,4,6'
 run 0 hit row.toml --ray 0,1,1,0 --op difference --against disc
 says out 'ray: no part'
+run 0 hit row.toml --ray 2,1,0,0 --op union # a point test
+says out 'ray: 1 part, length 0'
 run 0 hit row.toml --ray 0,3,1,0 --op union
 says out 'ray: no part'
 run 0 hit row.toml --ray 6,1,1,0 --op union # touches

@@ -16,6 +16,13 @@ material = { diffuse = { reflectance = 0.7, colour = "#ffc080" } }
 END
 as_one() { cmp -s "$1" "$2" || fail "$3: $1 and $2 differ"; }
 
+# A stopped picture of light says what would have kept it: --resume without a film is refused.
+for to in v.png -; do
+  run 124 render lamp.toml --rays 100000000000 -f 1 --max-seconds 0.5 -o $to
+  says err "nothing of a picture's light is kept; -o NAME.film --resume keeps and adds to it"
+  grep -q 'same command' err.txt && fail "the same command goes on with $to"
+done
+
 # Threads, more rays, shards in any order.
 run 0 render lamp.toml --rays 1048576 -o all.film -j 1 --quiet
 for threads in 2 7; do

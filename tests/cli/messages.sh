@@ -58,6 +58,8 @@ says out equal
 head -c 100 a.hdr > cut.hdr
 run 4 compare a.hdr cut.hdr
 mkdir -p goldens/scenes
+run 3 golden check --root goldens
+says err "name the folder that has goldens by --root"
 cp scene.toml goldens/scenes
 (unset CI && run 0 golden update scene --why "test" -f 1 --root goldens)
 for picture in goldens/golden_images/scene/*.png; do echo garbage > "$picture"; done

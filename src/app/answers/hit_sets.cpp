@@ -16,6 +16,12 @@ IntervalSet inside(const std::vector<HitReport>& reports) {
   return interval_set(std::move(parts));
 }
 
+// World units; 0 of a point test, whose t may be any.
+double length_of(const HitSet& set) {
+  const double unit = set.ray.ray.direction.stableNorm();
+  return unit > 0 ? unit * length_of(set.parts) : 0;
+}
+
 }  // namespace
 
 HitSet combine(const NamedRay& ray, HitOperation operation,
@@ -40,9 +46,8 @@ HitSet combine(const NamedRay& ray, HitOperation operation,
 
 std::string text_of(const HitSet& set) {
   if (set.parts.empty()) return shown_text(set.ray.name) + ": no part\n";
-  std::string text =
-      fmt::format("{}: {}, length {}\n", shown_text(set.ray.name),
-                  counted(set.parts.size(), "part"), number_text(length_of(set.parts)));
+  std::string text = fmt::format("{}: {}, length {}\n", shown_text(set.ray.name),
+                                 counted(set.parts.size(), "part"), number_text(length_of(set)));
   for (const Range& part : set.parts)
     text += fmt::format("  t from {} to {}\n", number_text(part.low), number_text(part.high));
   return text;
@@ -59,8 +64,7 @@ Table csv_rows(const std::vector<HitSet>& sets) {
 JsonValue as_value(const HitSet& set) {
   Values parts;
   for (const Range& part : set.parts) parts.push_back(Values{part.low, part.high});
-  return Fields{
-      {"ray", set.ray.name}, {"parts", std::move(parts)}, {"length", length_of(set.parts)}};
+  return Fields{{"ray", set.ray.name}, {"parts", std::move(parts)}, {"length", length_of(set)}};
 }
 
 }  // namespace flatray

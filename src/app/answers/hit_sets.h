@@ -29,7 +29,8 @@ struct HitSet {
 HitSet combine(const NamedRay& ray, HitOperation operation,
                const std::vector<std::vector<HitReport>>& by_entity);
 
-/// As `flatray hit --op` prints them: for people, as rows, as an object.
+/// As `flatray hit --op` prints them: for people, as rows, as an object. Parts are ranges of t, their
+/// length is in world units.
 std::string text_of(const HitSet& set);
 Table csv_rows(const std::vector<HitSet>& sets);
 JsonValue as_value(const HitSet& set);

@@ -31,6 +31,7 @@ constexpr std::string_view kScene = "{scene}";
 constexpr std::size_t kShownBytes = 40;  // of a name too long
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
+bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
 // The last run of '#' in the file name.
 FramePlace find_hashes(std::string_view text, std::size_t file_name) {
@@ -62,6 +63,18 @@ std::string with_scene(std::string text, std::string_view scene) {
        at = text.find(kScene, at + scene.size()))
     text.replace(at, kScene.size(), scene);
   return text;
+}
+
+// The first {word} of letters that is none of the placeholders; empty where there is none.
+std::string unknown_placeholder(std::string_view text) {
+  for (std::size_t at = text.find('{'); at != std::string_view::npos; at = text.find('{', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    if (end == at + 1 || end == text.size() || text[end] != '}') continue;
+    const std::string_view word = text.substr(at, end + 1 - at);
+    if (word != kScene) return std::string(word);
+  }
+  return {};
 }
 
 std::string lower_case(std::string text) {
@@ -111,6 +124,9 @@ Result<OutputPattern> OutputPattern::parse(std::string text,
   if (text.back() == '/')
     return usage_error(where, fmt::format("'{}' is a folder", text),
                        fmt::format("say {}frame_####.png", text));
+  if (const std::string word = unknown_placeholder(text); !word.empty())
+    return usage_error(where, fmt::format("unknown {}", word),
+                       "known: {scene}; a name with such braces can be given to the file later");
   const std::size_t file_bytes = std::filesystem::path(text).filename().string().size();
   if (file_bytes > kLongestFileName)
     return usage_error(where, fmt::format("the file name has {} bytes", file_bytes),
@@ -160,8 +176,7 @@ Result<std::string> plain_name(std::string_view scene) {
                        fmt::format("at most {} can name the output; say -o FILE", kLongestName));
   std::string name(scene);
   for (char& c : name) {
-    const bool letter = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
-    if (!letter && !is_digit(c) && c != '_' && c != '-' && c != '.') c = '_';
+    if (!is_letter(c) && !is_digit(c) && c != '_' && c != '-' && c != '.') c = '_';
   }
   if (name.empty()) return std::string("scene");
   if (name.front() == '.' || name.front() == '-') name.front() = '_';

@@ -46,6 +46,8 @@ struct RenderJob {
   PixelBox picture() const {
     return crop.value_or(PixelBox{0, 0, scene.film.width, scene.film.height});
   }
+  /// Whether lamps light it: views show none.
+  bool has_light() const { return !scene.lamps.empty() && !view; }
   /// Name of the back end, with all that its pixels depend on.
   std::string backend() const { return renderer ? renderer->description() : "software"; }
   /// Everything a byte of the pictures depends on but the frame, and a hash of it.

@@ -46,8 +46,8 @@ class Run {
         list_(list),
         total_(total(list)),
         progress_(total_, mode, "frames", has_light(list)),
-        goes_on_(list.works.empty() || !list.works.front().job->output.format().is_video()) {
-    if (!goes_on_) catch_interrupts("nothing of a video is kept");
+        lost_(list.works.empty() ? nullptr : lost_by_stop(*list.works.front().job)) {
+    if (lost_ != nullptr) catch_interrupts(lost_);
   }
 
   VerbOutput operator()() {
@@ -77,9 +77,7 @@ class Run {
   }
 
   static bool has_light(const WorkList& list) {
-    return std::ranges::any_of(list.works, [](const Work& work) {
-      return !work.job->scene.lamps.empty() && !work.job->view;
-    });
+    return std::ranges::any_of(list.works, [](const Work& work) { return work.job->has_light(); });
   }
 
   // All that can be refused is refused before the first picture. Where nothing is to be done
@@ -118,9 +116,10 @@ class Run {
   VerbOutput give_up(const Diagnostics& problems, bool ends = false) {
     progress_.finish();
     const std::string goes_on =
-        written_ == 0 ? "nothing rendered"
-                      : fmt::format("{} of {} written{}", written_, counted(total_, "frame"),
-                                    ends || !goes_on_ ? "" : "; --resume goes on from there");
+        written_ == 0
+            ? "nothing rendered"
+            : fmt::format("{} of {} written{}", written_, counted(total_, "frame"),
+                          ends || lost_ != nullptr ? "" : "; --resume goes on from there");
     return {.results = failed_results(problems), .exit_code = report_failure(problems, goes_on)};
   }
 
@@ -129,9 +128,9 @@ class Run {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
     const bool stopped = written_ < total_;
     if (stopped)
-      report_note(fmt::format("flatray: {}, {} of {} written{}", interruption(), written_,
+      report_note(fmt::format("flatray: {}, {} of {} written; {}", interruption(), written_,
                               counted(total_, "frame"),
-                              goes_on_ ? "; the same command with --resume goes on" : ""));
+                              lost_ != nullptr ? lost_ : "the same command with --resume goes on"));
     else if (!arguments_.has("quiet"))
       report_note(fmt::format("flatray: {} written{} in {:.2f} s", counted(written_, "frame"),
                               kept_ == 0 ? "" : fmt::format(", {} kept,", kept_), time.count()));
@@ -142,7 +141,7 @@ class Run {
   const WorkList& list_;
   const std::size_t total_;
   Progress progress_;
-  const bool goes_on_;  ///< with --resume; not videos
+  const char* const lost_;  ///< by a stop, so that --resume does not go on; else null
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t written_ = 0, kept_ = 0;
   std::map<const Work*, Claim> claims_;  ///< to the patterns of sequences
@@ -150,6 +149,15 @@ class Run {
 };
 
 }  // namespace
+
+const char* lost_by_stop(const RenderJob& job) {
+  const PictureFormat& format = job.output.format();
+  if (format.is_video()) return "nothing of a video is kept";
+  const bool alone = job.output.is_stdout() || !job.output.has_frame();
+  if (alone && job.has_light() && format.of_film == nullptr)
+    return "nothing of a picture's light is kept; -o NAME.film --resume keeps and adds to it";
+  return job.output.is_stdout() ? "nothing of a picture on standard output is kept" : nullptr;
+}
 
 Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request) {
   WorkList list{{}, request.threads()};

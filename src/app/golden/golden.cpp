@@ -182,7 +182,14 @@ std::string GoldenRow::look() const {
 }
 
 Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
-  FLATRAY_TRY(text, read_file(root / kManifest));
+  Result<std::string> text = read_file(root / kManifest);
+  if (!text) {
+    Diagnostic& missing = text.error().front();
+    if (missing.hint.empty())
+      missing.hint =
+          "name the folder that has goldens by --root; flatray golden update writes them";
+    return tl::unexpected(text.error());
+  }
   const std::optional<JsonValue> json = parse_json(*text);
   if (!json) return bad_manifest("is not JSON");
   const JsonValue* list = json->find("goldens");

@@ -21,7 +21,7 @@ Result<double> parse_error(const std::string& text, const Place& where) {
 
 Result<void> fits_scene(const Arguments& arguments, const RenderJob& job) {
   const bool film = job.output.format().of_film != nullptr;
-  const bool no_light = job.scene.lamps.empty() || job.view;
+  const bool no_light = !job.has_light();
   if (no_light)
     for (const char* option : {"error", "time"})
       if (arguments.has(option) && !arguments.has("profile"))

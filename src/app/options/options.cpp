@@ -110,6 +110,8 @@ class WordReader {
     if (value->empty())
       return wrong(name, "is empty",
                    fmt::format("say {} {}, or leave it out", name, option.metavar));
+    if (*value == "-" && option.metavar == std::string_view("FOLDER"))
+      wrong(name, "is a folder, which standard output is not", "name one; ./- is one called -");
     Given& one = given.try_emplace(option.name, Given{name, {}}).first->second;
     one.values.push_back(*std::move(value));
     if (option.kind == OptionKind::text && one.values.size() == 2)

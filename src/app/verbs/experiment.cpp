@@ -183,7 +183,12 @@ Result<ExperimentResult> measure_all(const Options& options, Monitors& monitors)
     const std::vector<Override> changed{{options.sweep->key, value, options.where("sweep")}};
     auto one = measure(options, changed, folder / std::to_string(i + 1), monitors);
     if (!one && interrupted() && i > 0) break;  // those before are told
-    if (!one) return one;
+    if (!one) {
+      if (!interrupted())
+        for (Diagnostic& problem : one.error())
+          problem.message += fmt::format(" (--sweep {}={})", options.sweep->key, value);
+      return one;
+    }
     if (one->measures.empty())
       return usage_error(named_place("--sweep"),
                          fmt::format("experiment {} has no numbers that could stand side by side",

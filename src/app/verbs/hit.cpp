@@ -33,8 +33,7 @@ struct Options : Arguments {
     row("--domain", "part of the line that counts (edges: segment)", domain, kDomains);
     row("--op",
         "instead of each hit the parts of a ray inside any entity, all of them, or that of "
-        "--against "
-        "and no other",
+        "--against and no other; their length in world units",
         operation, kHitOperations);
     row_of_frame(row, frame);
     scene.row_of_seed(row);

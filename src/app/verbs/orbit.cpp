@@ -87,7 +87,7 @@ Result<std::vector<RayState>> chosen_rays(const Options& options, const Scene& s
   };
   for (const RayPath& ray : scene.rays) {
     any |= chosen(ray);
-    known.push_back(ray.name);
+    if (!ray.name.empty()) known.push_back(ray.name);
   }
   std::vector<RayState> rays = ray_states(scene, frame.time);
   std::erase_if(rays, [&](const RayState& ray) { return !chosen(scene.rays[ray.ray]); });
@@ -99,6 +99,9 @@ Result<std::vector<RayState>> chosen_rays(const Options& options, const Scene& s
   if (!wanted)
     return fail(named_place(options.operands().front()), "has no ray to follow",
                 "add [[ray]] with at, direction and bounces");
+  if (known.empty())
+    return usage_error(options.where("ray"), "the scene has no ray with a name",
+                       R"(add name = "first" to [[ray]], or leave --ray out to follow all)");
   return unknown_name(options.where("ray"), "ray of the scene", *wanted, known);
 }
 

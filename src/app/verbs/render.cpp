@@ -4,6 +4,7 @@
 #include "app/frames/profile.h"
 #include "app/frames/render_run.h"
 #include "app/help/build_parts.h"
+#include "app/interrupt.h"
 #include "app/options/backend_choice.h"
 #include "app/options/resource_limits.h"
 #include "app/options/tracer_choice.h"
@@ -94,6 +95,7 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
   if (job.frames.empty())
     return usage_error(arguments.where("shard"), "leaves no frame for standard output",
                        "name a file, or leave out --shard");
+  catch_interrupts(lost_by_stop(job));
   FLATRAY_TRY(bytes, picture_bytes(job, job.frames.front(), threads));
   return VerbOutput{
       .text = {std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size())},

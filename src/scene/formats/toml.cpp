@@ -167,6 +167,11 @@ tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Posit
   const std::string message = own_words(error.description());
   if (message.ends_with("expected value, saw '#'"))
     return fail({source, offset, 1}, "a value is missing: # begins a comment", remedy(message));
+  const std::string_view rest = source->text().substr(std::min(offset, source->text().size()));
+  if (message.find("string: ") != message.npos && message.find("control char") != message.npos &&
+      !rest.empty() && rest.front() != '\n' && rest.front() != '\r')
+    return fail({source, offset, 1}, message,
+                R"(in double quotes, write a control character by its number, as \u001b)");
   if (!is_number_like(text)) return fail({source, offset, 1}, message, remedy(message));
   // What toml++ says of a number names its grammar, not the mistake.
   for (const char* grammar : {"floating-point: e", "decimal integer: expected"})
@@ -176,7 +181,7 @@ tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Posit
   if (message.find("could not be interpreted") != std::string::npos) {
     if (parse_number(text)) throw std::bad_alloc();  // which the stream toml++ reads from hides
     return fail(token, fmt::format("{} is beyond the doubles", text.substr(0, 40)),
-                "write a number between -1.7e308 and 1.7e308");
+                "write a number between -1e300 and 1e300");
   }
   return fail(token, message, remedy(message));
 }

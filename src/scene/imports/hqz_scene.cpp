@@ -12,6 +12,23 @@ namespace flatray {
 namespace {
 
 constexpr double kFarthestHqz = 1e12;  // products of two stay exact enough to be decided on
+// The keys of every scene, and what each may be.
+constexpr std::pair<std::string_view, const char*> kNeeded[] = {
+    {"resolution", "[1920, 1080]"},
+    {"viewport", "[0, 0, 1920, 1080]"},
+    {"lights", "[[1, 960, 540, 0, 0, [0, 360], 0]]"},
+    {"objects", "[]"},
+    {"materials", "[]"}};
+
+std::string example_hint(std::string_view key) {
+  const auto* found = std::ranges::find(kNeeded, key, [](const auto& one) { return one.first; });
+  return fmt::format("write \"{}\": {}", key, found->second);
+}
+
+std::string_view kind_of(const Value& value) {
+  return value.text == "null" ? "null" : kind_name(value.kind);
+}
+
 constexpr const char* kRangeHint = "write a number, or [low, high] for one drawn at random";
 
 class HqzReader {
@@ -53,9 +70,10 @@ class HqzReader {
       warning(member.where, fmt::format("unknown key '{}' is not used", member.key.substr(0, 40)),
               near.empty() ? "" : fmt::format("did you mean '{}'?", near));
     }
-    for (const char* needed : {"resolution", "viewport", "lights", "objects", "materials"})
+    for (const auto& [needed, example] : kNeeded)
       if (root_.find(needed) == nullptr)
-        problem(root_.where, fmt::format("the scene needs \"{}\"", needed));
+        problem(root_.where, fmt::format("the scene needs \"{}\"", needed),
+                fmt::format("add \"{}\": {}", needed, example));
     if (const Member* limit = root_.find("timelimit"))
       warning(limit->where, "timelimit is not honoured: every picture has all its rays",
               "leave it out, or lower rays");
@@ -70,7 +88,8 @@ class HqzReader {
     if (member == nullptr) return;
     if (member->value.kind != Value::Kind::array)
       return problem(member->value.where,
-                     fmt::format("{} is {}, not an array", key, kind_name(member->value.kind)));
+                     fmt::format("{} is {}, not an array", key, kind_of(member->value)),
+                     example_hint(key));
     if (member->value.items.size() > limits_.max_entities)
       return problem(member->value.where, fmt::format("more than {} {}", limits_.max_entities, key),
                      "--max-entities raises the limit");
@@ -79,17 +98,20 @@ class HqzReader {
 
   std::optional<double> number(const Value& value, const char* what, double low, double high) {
     if (value.kind != Value::Kind::number) {
-      problem(value.where, fmt::format("{} is {}, not a number", what, kind_name(value.kind)));
+      problem(value.where, fmt::format("{} is {}, not a number", what, kind_of(value)),
+              "write a number");
       return std::nullopt;
     }
     auto literal = parse_literal(source_text(value));
     if (value.text == "null") literal.emplace().value = 0;
     if (!literal || !(std::abs(literal->value) <= kFarthest)) {
-      problem(value.where, fmt::format("{} is beyond 1e300", what));
+      problem(value.where, fmt::format("{} is beyond 1e300", what),
+              "write a number between -1e300 and 1e300");
       return std::nullopt;
     }
     if (literal->value >= low && literal->value <= high) return literal->value;
-    problem(value.where, fmt::format("{} does not lie between {} and {}", what, low, high));
+    problem(value.where, fmt::format("{} does not lie between {} and {}", what, low, high),
+            fmt::format("write a number from {} to {}", low, high));
     return std::nullopt;
   }
 
@@ -122,7 +144,7 @@ class HqzReader {
     if (member == nullptr) return nullptr;
     const Value& value = member->value;
     if (value.kind == Value::Kind::array && value.items.size() == count) return &value;
-    problem(value.where, fmt::format("{} is no list of {} numbers", key, count));
+    problem(value.where, fmt::format("{} is no list of {} numbers", key, count), example_hint(key));
     return nullptr;
   }
 

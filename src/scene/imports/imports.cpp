@@ -49,7 +49,8 @@ Result<SourcePtr> Imports::read(const std::string& file, const std::string& path
                 "files of a scene lie beneath it; --root DIR names another");
   std::error_code missing;  // a pipe or device could keep the reader for ever
   if (fs::exists(full, missing) && !fs::is_regular_file(full, missing))
-    return fail(where, fmt::format("'{}' is not a plain file", file), "name an OBJ or list file",
+    return fail(where, fmt::format("'{}' is not a plain file", file),
+                included ? "name a scene file to include" : "name an OBJ or list file",
                 Trouble::missing);
   // "-" is a file beside the scene here, never standard input.
   Result<std::string> text =

@@ -145,7 +145,7 @@ std::optional<double> Reader::plain_number(const Field& field) {
   const std::optional<Number> number = parse_literal(text);
   if (!number) {
     problem(field.value.where, fmt::format("{} is not finite", field.name),
-            "write a number between -1.7e308 and 1.7e308");
+            "write a number between -1e300 and 1e300");
     return std::nullopt;
   }
   if (number->loss == Number::Loss::integer)

@@ -16,7 +16,7 @@ namespace {
 using Kind = PixelOutcome::Kind;
 
 constexpr std::uint64_t kBounces = 1000;
-constexpr LinearRgb kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1};
+constexpr LinearRgb kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1}, kCorner{0.35, 0.35, 0.35};
 
 // Who absorbed a ray: an entity, pillar or chamber, or a hole of it.
 using Exit = std::tuple<SurfaceOwner::Kind, std::uint32_t, std::uint32_t, std::uint32_t>;
@@ -40,6 +40,7 @@ class Basins {
       ++free_;
       if (pixel.kind == Kind::limit) ++trapped_;
       if (pixel.kind == Kind::escape) ++escaped_;
+      if (pixel.kind == Kind::corner) ++cornered_;
       if (pixel.kind == Kind::absorbed) ++exits_[exit_of(pixel)];
       if (pixel.kind == Kind::limit) continue;
       if (pixel.bounces >= gone_after_.size()) gone_after_.resize(std::size_t{pixel.bounces} + 1);
@@ -76,12 +77,15 @@ class Basins {
 
   std::string exit_name(const Exit& exit) const {
     const auto& [kind, index, pillar, hole] = exit;
-    return hole != kNoEntry ? context_.scene.chambers[index].holes[hole].name
-                            : owner_name(context_.scene, {kind, index, pillar, kNoEdge, {}});
-  }
-
-  static bool gone(const PixelOutcome& pixel) {
-    return pixel.kind == Kind::escape || pixel.kind == Kind::absorbed;
+    const Scene& scene = context_.scene;
+    if (hole != kNoEntry) return scene.chambers[index].holes[hole].name;
+    const std::string& name = owner_name(scene, {kind, index, pillar, kNoEdge, {}});
+    if (!name.empty()) return name;
+    if (kind == SurfaceOwner::Kind::entity)
+      return called("entity", "", scene.entities[index].where);
+    const Chamber& chamber = scene.chambers[index];
+    return kind == SurfaceOwner::Kind::pillar ? called("pillar", "", chamber.pillars[pillar].where)
+                                              : called("chamber", "", chamber.where);
   }
 
   std::vector<Measure> measures() const {
@@ -92,6 +96,7 @@ class Basins {
     std::vector<Measure> all;
     for (const auto& [exit, count] : exits_) all.push_back(share("into " + exit_name(exit), count));
     all.push_back(share("into the open", escaped_));
+    if (cornered_ > 0) all.push_back(share("into a corner", cornered_));
     all.push_back(share("trapped", trapped_));
     add_decay(all);
     if (exits_by_hole_)
@@ -153,7 +158,9 @@ class Basins {
     for (const auto& [exit, count] : exits_) colours.emplace(exit, colours.size());
     Plot plot = pixel_plot(context_, room_, PixelMap::angle, [&](std::size_t i) {
       const PixelOutcome& pixel = pixels_[i];
-      if (!gone(pixel)) return pixel.kind == Kind::limit ? kTrapped : kSolid;
+      if (pixel.kind == Kind::limit) return kTrapped;
+      if (pixel.kind == Kind::corner) return kCorner;
+      if (pixel.kind == Kind::solid) return kSolid;
       const LinearRgb light =
           pixel.kind == Kind::escape ? hue_of(pixel.out) : nth_colour(colours.at(exit_of(pixel)));
       return light * brightness(most > 0 ? log_share(pixel.bounces, most) : 0);
@@ -167,6 +174,7 @@ class Basins {
                                        {"to the left", Vec2(-1, 0)},
                                        {"down", Vec2(0, -1)}})
         plot.kinds.emplace_back(hex(hue_of(out)), words);
+    if (cornered_ > 0) plot.kinds.emplace_back(hex(kCorner), "into a corner");
     if (trapped_ > 0) plot.kinds.emplace_back(hex(kTrapped), "still there at the end");
     if (free_ < pixels_.size())
       plot.kinds.emplace_back(hex(kSolid), "starts in an obstacle, or outside");
@@ -188,7 +196,7 @@ class Basins {
   std::vector<LeavingOrbit> drawn_;
   Survival survival_;
   std::optional<Exits> exits_by_hole_;
-  std::uint64_t free_ = 0, trapped_ = 0, escaped_ = 0;
+  std::uint64_t free_ = 0, trapped_ = 0, escaped_ = 0, cornered_ = 0;
   std::map<Exit, std::uint64_t> exits_;
   std::vector<std::uint64_t> gone_after_;  // by number of bounces
 };

@@ -44,10 +44,11 @@ class Outcomes : public OrbitSink {
     PixelOutcome& pixel = pixels_[numbers_[number]];
     pixel.out = stop.out;
     const Vec2 from = pixel.bounces > 0 ? pixel.at : starts_[number].ray.origin;
-    pixel.kind = stop.end == OrbitEnd::limit    ? Kind::limit
-                 : stop.end == OrbitEnd::escape ? Kind::escape
-                                                : Kind::absorbed;
-    if (pixel.kind != Kind::absorbed) return;
+    pixel.kind = stop.end == OrbitEnd::limit      ? Kind::limit
+                 : stop.end == OrbitEnd::escape   ? Kind::escape
+                 : stop.end == OrbitEnd::absorbed ? Kind::absorbed
+                                                  : Kind::corner;
+    if (stop.surfaces.empty()) return;
     pixel.surface = stop.surfaces.front();
     pixel.at = stop.point;
     pixel.way += std::sqrt((pixel.at - from).squaredNorm());

@@ -10,10 +10,11 @@ namespace flatray {
 /// What becomes of an orbit that starts at a place of the picture.
 struct PixelOutcome {
   enum class Kind : std::uint8_t {
-    solid,    ///< the place lies in an obstacle, or outside the chamber
-    limit,    ///< all bounces were made
-    escape,   ///< it left into the open
-    absorbed  ///< by `surface`
+    solid,     ///< the place lies in an obstacle, or outside the chamber
+    limit,     ///< all bounces were made
+    escape,    ///< it left into the open
+    absorbed,  ///< by `surface`
+    corner     ///< it ended in a corner, or along a wall: `surface` is the lowest of its walls
   } kind = Kind::solid;
   std::uint32_t bounces = 0;
   std::uint32_t surface = kNoSurface;
@@ -40,8 +41,7 @@ class PlaceStarts {
 };
 
 /// `count` orbits, each from where `start` has it: the first `exact` of them exactly decided, the
-/// others in the precision of the context. Orbits that end in a corner count as absorbed by its
-/// lowest wall.
+/// others in the precision of the context.
 Result<std::vector<PixelOutcome>> trace_outcomes(
     const ExperimentContext& context, const Room& room, std::uint64_t bounces, std::uint64_t count,
     std::uint64_t exact, const std::function<std::optional<OrbitStart>(std::uint64_t)>& start);

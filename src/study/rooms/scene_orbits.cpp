@@ -15,10 +15,10 @@ Result<NamedOrbits> orbits_to_watch(const ExperimentContext& context, const Room
   for (const RayState& state : ray_states(context.scene, room.state())) {
     const RayPath& ray = context.scene.rays[state.ray];
     if (!room.has_start(state.start.origin))
-      outside.push_back({ray.where, fmt::format("ray '{}' starts outside the room", ray.name),
+      outside.push_back({ray.where, called("ray", ray.name, ray.where) + " starts outside the room",
                          "let it start in the chamber, and in none of its pillars",
                          Trouble::invalid});
-    orbits.names.push_back(ray.name);
+    orbits.names.push_back(ray_name(context.scene, state.ray));
     orbits.starts.push_back({state.start, {}, chance_of_orbit(context.seed, state.ray)});
   }
   if (!outside.empty()) return tl::unexpected(std::move(outside));

@@ -110,7 +110,7 @@ std::vector<Margin> of_rays(const Scene& scene, const FrameState& state) {
   std::vector<Margin> all;
   for (const RayState& now : ray_states(scene, state)) {
     const RayPath& ray = scene.rays[now.ray];
-    const std::string name = ray.name.empty() ? fmt::format("ray {}", now.ray + 1) : ray.name;
+    const std::string name = ray_name(scene, now.ray);
     const Orbit orbit = trace_orbit(world.surfaces, world.materials(), now.start, ray.bounces + 1);
     std::uint64_t leg = 0;
     const std::vector<OrbitLine> lines = orbit_lines(orbit);

@@ -37,6 +37,12 @@ TEST(OutputPattern, SceneStandsAnywhere) {
             "{scene}.png");  // what it stands for is not read again
 }
 
+TEST(OutputPattern, OtherWordsInBracesAreRefused) {
+  EXPECT_TRUE(refused("{scen}_#.png"));
+  EXPECT_TRUE(refused("{scene}/{Scene}.png"));
+  EXPECT_EQ(path("{a b}{x.png", 7), "{a b}{x.png");
+}
+
 TEST(StiffCases, E7NothingElseInANameIsAFormat) {
   EXPECT_EQ(path("%s%n%x.png", 7), "%s%n%x.png");
   EXPECT_EQ(path("%4d%%.png", 7), "%4d%%.png");

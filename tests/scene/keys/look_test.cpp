@@ -60,7 +60,8 @@ TEST(Looks, AFillThatHidesItsEntityIsWarnedOf) {
 TEST(Looks, WhatCannotBeDrawnIsRefused) {
   const std::string line = "fill = { linear = { from = [0, 0], to = [1, 0], stops = ";
   const Refused cases[] = {
-      {"stroke = { joins = \"mitre\" }", "known: round, miter, bevel"},
+      {"stroke = { joins = \"mitre\" }", "did you mean 'miter'?"},
+      {"stroke = { joins = \"sharp\" }", "known: round, miter, bevel"},
       {"stroke = { caps = \"flat\" }", "5:19: error: unknown stroke.caps 'flat'"},
       {"stroke = { miter_limit = 0.5 }", "stroke.miter_limit is below 1"},
       {"stroke = { dashes = [] }", "stroke.dashes have no length"},

@@ -150,6 +150,7 @@ TEST_F(Includes, RefusalsSayWhatToWrite) {
       {"include = [\"a.png\"]", "'a.png' has no extension of a scene\n"},
       {"include = [\"a.toml\"]", "file 'a.toml': cannot read: No such file"},
       {"include = [\"folder.toml\"]", "'folder.toml' is not a plain file"},
+      {"include = [\"folder.toml\"]", "name a scene file to include"},
       {"include = [\"old.toml\"]", "old.toml:1:1: error: the included scene needs 'flatray'"},
       {"include = [\"new.toml\"]", "scene version 2 is newer than this program"},
       {"include = [\"bad.toml\"]", "bad.toml:1:11: error"},

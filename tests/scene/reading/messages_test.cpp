@@ -106,6 +106,7 @@ TEST(Messages, EverySyntaxErrorSaysWhatToWriteInstead) {
     const char *text, *place, *hint;
   } kCases[] = {
       {"x = \"abc", "2:9", "close the text with the quotes that open it"},
+      {"x = \"a\x1b\"", "2:7", "write a control character by its number, as \\u001b"},
       {"x = 'abc", "2:9", "close the text with the quotes that open it"},
       {"x = \"\"\"abc", "2:11", "close the text with the quotes that open it"},
       {"x = \"a\\q\"", "2:8", "or the text in single quotes: 'a\\b'"},

@@ -85,6 +85,8 @@ void expect_the_table() {
     const std::string shown = refusal(fps_with(number));
     EXPECT_EQ(shown.substr(0, std::string(expected).size()), expected);
   }
+  for (const char* beyond : {"inf", "1e400"})
+    EXPECT_NE(refusal(fps_with(beyond)).find("between -1e300 and 1e300"), std::string::npos);
   EXPECT_EQ(loaded(fps_with("+5")).scene.fps, 5.0);
   EXPECT_EQ(loaded(fps_with("1.5")).scene.fps, 1.5);
 }

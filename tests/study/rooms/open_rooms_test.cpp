@@ -36,6 +36,24 @@ TEST(Escape, TakesTheHolesShareAtTheFirstWall) {
   }
 }
 
+// Of the 16 pixels of a box the 4 on its diagonal run into its corner, along it: no wall took them. An
+// exit without a name is known by its line.
+TEST(Escape, TellsCornersFromWalls) {
+  const std::string box =
+      "film = { size = [4, 4], world = [[0, 0], [4, 4]] }\n[[ray]]\nat = [1, 1]\ndirection = [1, "
+      "1]\n"
+      "[[chamber]]\nshape = { box = { min = [0, 0], max = [4, 4] } }\n";
+  const auto escape = [](const Scene& scene) {
+    return run("escape", {.scene = scene, .count = 100, .bounces = 50, .map = PixelMap::position});
+  };
+  const Scene mirrors = scene_of(box), dark = scene_of(box + "material = \"absorb\"\n");
+  const auto found = escape(mirrors);
+  EXPECT_EQ(found.measures.front().name, "into the open");
+  EXPECT_EQ(measure(found, "into a corner").value, 0.25);
+  EXPECT_EQ(measure(found, "trapped").value, 0.75);
+  EXPECT_EQ(escape(dark).measures.front().name, "into chamber of line 6");
+}
+
 // A circle with a hole of angle e: of orbits that turn by nearly 2 pi m / q a bounce what is left after n
 // bounces comes to n P(n) = sum over q < 2 pi / e, m prime to q, of sin(pi m / q) q / (8 pi) (2 pi / q - e)^2,
 // by areas in the plane of place and turn; by length 2 / e as e goes to 0 (Bunimovich and Dettmann 2005).

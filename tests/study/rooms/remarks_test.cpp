@@ -24,6 +24,14 @@ std::string ray(const std::string& name, const std::string& at, const std::strin
   return "[[ray]]\nname = \"" + name + "\"\nat = " + at + "\ndirection = " + direction + "\n";
 }
 
+TEST(Remarks, RaysWithoutNamesAreCalledByTheirNumbers) {
+  const Scene scene = scene_of(chamber("box = { min = [0, 0], max = [4, 4] }") +
+                               ray("", "[1, 1]", "[1, 0.3]") + ray("", "[2, 1]", "[1, 0.7]"));
+  const auto found = run("reflections", {.scene = scene, .bounces = 10});
+  EXPECT_EQ(found.measures[0].name, "ray 1 (at least)");
+  EXPECT_EQ(found.measures[1].name, "ray 2 (at least)");
+}
+
 // A ray from outside says nothing of the room: every experiment that watches rays refuses it, where it
 // is written. Of what stands on a wall, or in a room of entities alone, nothing is known against it.
 TEST(Remarks, RaysFromOutsideARoomAreRefusedByAll) {
