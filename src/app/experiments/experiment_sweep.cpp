@@ -67,7 +67,7 @@ std::string unit_of(const std::string& key) {
       for (const KeyInfo& one : table.keys) {
         if (KindInfo::name(table) != path[i] || one.name != path.back()) continue;
         const std::string takes(one.takes), unit = takes.substr(0, takes.find(" or "));
-        return unit == "degrees" || unit == "seconds" ? unit : "";
+        return unit.starts_with("degrees") || unit == "seconds" ? unit : "";
       }
   return "";
 }
