@@ -73,8 +73,9 @@ PixelOutcome outcome(std::span<const double> nine) {
 // The place of a pixel that is so far across and down in it.
 UnitPoint in_pixel(const Film& film, std::uint64_t pixel, double across, double down) {
   const auto width = static_cast<std::uint64_t>(film.width);
-  return {(static_cast<double>(pixel % width) + across) / film.width,
-          (static_cast<double>(pixel / width) + down) / film.height};
+  const std::uint64_t row = pixel / width, column = pixel % width;
+  return {(static_cast<double>(column) + across) / film.width,
+          (static_cast<double>(row) + down) / film.height};
 }
 
 }  // namespace
