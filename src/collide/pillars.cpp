@@ -28,8 +28,8 @@ std::vector<Vec2> points_of(const Shape& shape, const Pose& place) {
     points.push_back(place(segment.b));
   }
   for (const Bezier& curve : shape.beziers) {
-    points.push_back(place(curve.point(0)));
-    points.push_back(place(curve.point(curve.degree)));
+    points.push_back(place(curve.start()));
+    points.push_back(place(curve.end()));
   }
   return points;
 }

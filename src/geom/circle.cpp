@@ -2,7 +2,6 @@
 #include "geom/clip_range.h"
 
 namespace flatray {
-
 namespace {
 
 HitInterval clip(const Ray& ray, const Ellipse& ellipse, Range within, const Vec2& velocity) {
