@@ -11,8 +11,9 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kFew = 8;  // so many are looked at without cells
-constexpr double kCellsAWall = 2, kMostCells = 0x1p22;
+// So many are looked at without cells; of curves, whose discs rule out most.
+constexpr std::size_t kFew = 8, kFewCurves = 32;
+constexpr double kCellsAWall = 2, kCellsACurve = 1, kMostCells = 0x1p22;
 // Width and height of a wall in cells, on average: those that lie on one another, all as large as the grid, would pass
 // the root of all cells each.
 constexpr double kCellsAcross = 10;
@@ -52,7 +53,33 @@ WallCells::WallCells(const Surfaces& walls, bool of_curves)
     : walls_(walls),
       of_curves_(of_curves),
       count_(of_curves ? walls.curve_numbers.size() : walls.size()) {
-  if (count_ > kFew) divide();
+  if (count_ > (of_curves ? kFewCurves : kFew)) divide();
+  if (!of_curves) return;
+  for (const std::uint32_t curve : walls.curve_numbers) {
+    Disc disc = walls.visit(curve, [](const auto& wall) { return disc_about(wall); });
+    disc.radius *= 1 + 0x1p-48;
+    discs_.push_back(disc);
+    magnitude_ = std::max(magnitude_, disc.centre.cwiseAbs().maxCoeff() + disc.radius);
+  }
+}
+
+// But for some roundings of its radius. In the form in which its curve is a circle the part of a half turn and less
+// lies in the disc whose diameter is its chord.
+WallCells::Disc WallCells::disc_about(const Arc& wall) {
+  const double axis = half_axes(wall.curve).most;
+  const Vec2& centre = wall.curve.centre;
+  if (wall.extent != Arc::Extent::between) return {centre, axis};
+  if (ends_on_curve(wall) && orientation(centre, wall.from, wall.to) == Sign::positive) {
+    const double half = 0.5 * form_of(wall.curve, wall.to - wall.from, {0, 0}).length;
+    return {0.5 * wall.from + 0.5 * wall.to,
+            axis * (half / std::fabs(form_size(kPlain, wall.curve)) + 0x1p-38)};
+  }
+  return {centre, std::max({axis, (wall.from - centre).norm(), (wall.to - centre).norm()})};
+}
+template <class Wall>
+WallCells::Disc WallCells::disc_about(const Wall& wall) {
+  const Bounds box = bounds_of(wall);
+  return {box.centre(), (0.5 * box.size()).norm()};
 }
 
 // Cells of one size, as many as the walls need, and one more all round.
@@ -60,7 +87,7 @@ void WallCells::divide() {
   Bounds box;
   double extents = 0;
   visit_all([&](std::uint32_t i) {
-    const Bounds own = walls_.visit(i, [](const auto& wall) { return bounds_of(wall); });
+    const Bounds own = walls_.visit(surface(i), [](const auto& wall) { return bounds_of(wall); });
     box.add(own);
     extents += own.size().sum() / static_cast<double>(count_);
   });
@@ -68,7 +95,8 @@ void WallCells::divide() {
   const double larger = size.maxCoeff(),
                magnitude = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
   if (!(larger > kLeastSize && magnitude < kMostSize)) return;
-  const double wanted = std::min(kCellsAWall * static_cast<double>(count_), kMostCells);
+  const double wanted =
+      std::min((of_curves_ ? kCellsACurve : kCellsAWall) * static_cast<double>(count_), kMostCells);
   const double narrow = std::max(size.minCoeff(), larger / wanted);
   side_ = std::max(std::sqrt(narrow / wanted * larger), larger * 0x1p-20);
   side_ = std::max(side_, extents / kCellsAcross);
@@ -81,16 +109,16 @@ void WallCells::divide() {
   begin_.assign(cells + 1, 0);
   const auto visit_passed = [&](const auto& visit) {
     visit_all([&](std::uint32_t i) {
-      walls_.visit(i, [&](const auto& wall) {
+      walls_.visit(surface(i), [&](const auto& wall) {
         visit_cells(wall, cells_of(bounds_of(wall)), [&](std::size_t cell) { visit(i, cell); });
       });
     });
   };
   visit_passed([&](std::uint32_t, std::size_t cell) { ++begin_[cell + 1]; });
   for (std::size_t i = 0; i < cells; ++i) begin_[i + 1] += begin_[i];
-  surfaces_.resize(begin_.back());
+  listed_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  visit_passed([&](std::uint32_t i, std::size_t cell) { surfaces_[next[cell]++] = i; });
+  visit_passed([&](std::uint32_t i, std::size_t cell) { listed_[next[cell]++] = i; });
 }
 
 // Whether a part of a wall may lie in the cells, or within kMargin of them.
@@ -131,48 +159,100 @@ void WallCells::visit_cells(const Wall& wall, const Rect& rect, const Visit& vis
               visit);
 }
 
+// A ray along one axis of a grid, in cells, without branches as it goes.
+struct WallCells::Axis {
+  double origin, way, all;
+  double inverse = way == 0 ? 1 : 1 / way;
+  int step = way < 0 ? -1 : 1, cell = 0, left = 0;  // cells still to come
+  double border = 0, by = step;                     // of the cell, by which it is left
+
+  // t at which the grid is entered and left; never entered where a ray that goes beside it misses it.
+  double enter() const {
+    if (way == 0) return origin < 0 || origin > all ? kInfinity : -kInfinity;
+    return ((way > 0 ? 0 : all) - origin) * inverse;
+  }
+  double leave() const { return way == 0 ? kInfinity : ((way > 0 ? all : 0) - origin) * inverse; }
+  void start(double t) {
+    cell = static_cast<int>(std::clamp(std::floor(origin + t * way), 0.0, all - 1));
+    left = step < 0 ? cell : static_cast<int>(all) - 1 - cell;
+    border = way == 0 ? kInfinity : cell + (step > 0 ? 1 : 0);
+  }
+  double next() const { return (border - origin) * inverse; }
+  void go(bool goes) {
+    border += goes ? by : 0;
+    left -= goes ? 1 : 0;
+  }
+};
+
+// A ray beside discs, in doubles: what it meets of one lies within `radius` of the foot of its centre, and no farther
+// beside it. Of a place p of size M, as seen from the origin o, d x (p - o) and d . (p - o) are off by less than
+// 2^-50 |d| (M + |o|), which `slack` is.
+class WallCells::DiscFilter {
+ public:
+  DiscFilter(const Ray& ray, double magnitude)
+      : origin_(ray.origin),
+        direction_(ray.direction),
+        speed_((1 + 0x1p-50) * direction_.norm()),
+        slack_(is_sound(magnitude) && is_sound(speed_)
+                   ? 0x1p-49 * speed_ * (magnitude + origin_.cwiseAbs().sum())
+                   : kInfinity),
+        per_square_(1 / direction_.squaredNorm()) {}
+
+  /// Whether the disc is surely not met, or later than what is settled.
+  template <class Offers>
+  bool rules_out(const Vec2& centre, double radius, const Offers& offers) const {
+    const Vec2 w = centre - origin_;
+    const double beside = direction_.x() * w.y() - direction_.y() * w.x();
+    const double reach = radius * speed_ + slack_, ahead = direction_.dot(w);
+    return std::fabs(beside) > reach || ahead + reach < 0 ||
+           offers.settled((ahead - reach) * per_square_);
+  }
+
+ private:
+  static bool is_sound(double size) { return size > kLeastSize && size < kMostSize; }
+
+  const Vec2 origin_, direction_;
+  const double speed_, slack_, per_square_;
+};
+
 template <class Offers>
 void WallCells::walk(const Ray& ray, Offers& offers) const {
   FLATRAY_DCHECK(of_curves_);
+  const DiscFilter filter(ray, magnitude_);
+  const auto offer = [&](std::uint32_t curve) {
+    const Disc& disc = discs_[curve];
+    if (!filter.rules_out(disc.centre, disc.radius, offers))
+      offers.offer_curve(walls_.curve_numbers[curve]);
+  };
   const Vec2 origin = (ray.origin - low_) / side_, way = ray.direction / side_;
   const double speed = way.norm();
   const Vec2 all(columns_, rows_);
   if (begin_.empty() || !(speed > kLeastSize && speed < kMostSize) ||
-      !(origin.cwiseAbs().maxCoeff() < kFar)) {
-    return visit_all([&](std::uint32_t surface) { offers.offer_curve(surface); });
-  }
-  // t of what is to come on each axis: the side of the grid, then of each cell.
+      !(origin.cwiseAbs().maxCoeff() < kFar))
+    return visit_all(offer);
   double enter = 0, leave = kInfinity;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double o = origin[axis], d = way[axis];
-    if (d == 0) {
-      if (o < 0 || o > all[axis]) return;
-      continue;
-    }
-    enter = std::max(enter, ((d > 0 ? 0 : all[axis]) - o) / d);
-    leave = std::min(leave, ((d > 0 ? all[axis] : 0) - o) / d);
+  Axis axes[2];
+  for (int k = 0; k < 2; ++k) {
+    axes[k] = {origin[k], way[k], all[k]};
+    enter = std::max(enter, axes[k].enter());
+    leave = std::min(leave, axes[k].leave());
   }
-  const double slack = kSlack / speed;
   if (!(enter <= leave)) return;
-  int cell[2];
-  for (int axis = 0; axis < 2; ++axis)
-    cell[axis] = static_cast<int>(
-        std::clamp(std::floor(origin[axis] + enter * way[axis]), 0.0, all[axis] - 1));
-  const auto next = [&](int axis) {
-    if (way[axis] == 0) return kInfinity;
-    return (cell[axis] + (way[axis] > 0 ? 1 : 0) - origin[axis]) / way[axis];
-  };
-  for (;;) {
-    const std::size_t here =
-        static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(columns_) +
-        static_cast<std::size_t>(cell[0]);
-    for (std::uint32_t i = begin_[here]; i < begin_[here + 1]; ++i)
-      offers.offer_curve(surfaces_[i]);
-    const double x = next(0), y = next(1);
-    if (offers.settled(std::min(x, y) - slack)) break;
-    const int axis = x < y ? 0 : 1;
-    cell[axis] += way[axis] > 0 ? 1 : -1;
-    if (cell[axis] < 0 || cell[axis] >= (axis == 0 ? columns_ : rows_)) break;
+  auto [x, y] = axes;
+  x.start(enter);
+  y.start(enter);
+  const double slack = kSlack / speed;
+  const std::ptrdiff_t right = x.step, up = y.step * columns_;
+  for (std::ptrdiff_t here = std::ptrdiff_t{y.cell} * columns_ + x.cell;;) {
+    const auto at = begin_.begin() + here;
+    for (std::uint32_t i = at[0]; i < at[1]; ++i) offer(listed_[i]);
+    const double t_x = x.next(), t_y = y.next();
+    if (offers.settled(std::min(t_x, t_y) - slack)) break;
+    const bool across = t_x < t_y;
+    here += across ? right : up;
+    x.go(across);
+    y.go(!across);
+    if ((x.left | y.left) < 0) break;
   }
 }
 

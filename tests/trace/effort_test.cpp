@@ -1,6 +1,8 @@
 // How little is looked at, where the answer is the same whatever is.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "trace/random_rays.h"
 #include "trace/tracer.h"
 
@@ -63,6 +65,19 @@ TEST(Effort, ACrowdedCellIsDividedSoThatFewOfItsWallsAreTested) {
   const auto grid = find_tracer("grid")->build(walls);
   EXPECT_LE(walls_tested(*grid, rays_within(0.002)), 200);
   EXPECT_LE(grid->bytes(), 200U * walls.size());
+}
+
+// Of a list of curves few are looked at: those whose discs a ray meets.
+TEST(Effort, CurvesBesideARayAreNotTested) {
+  Draws draws(4);
+  Surfaces walls;
+  for (int i = 0; i < 24; ++i) walls.add(Circle{draws.point(), 0.02});
+  for (int i = 0; i < 4; ++i) {
+    const Vec2 at = draws.point();
+    const Vec2 end = at + 0.5 * Vec2(std::cos(0.04), std::sin(0.04));
+    walls.add(Arc{Circle{at, 0.5}, Arc::Extent::between, at + Vec2(0.5, 0), end});
+  }
+  EXPECT_LE(walls_tested(*find_tracer("brute")->build(walls), rays_within(1)), 2);
 }
 
 TEST(Effort, CurvesHaveACellEachAndNotManyMore) {

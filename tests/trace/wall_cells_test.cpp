@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
+#include "geom/decide.h"
 #include "trace/all_tracers.h"
 
 namespace flatray {
@@ -69,6 +71,99 @@ TEST(WallCells, OfAFlatSceneAreARow) {
   Surfaces walls;
   for (int i = 0; i < 100; ++i) walls.add(Segment{Vec2(i, 0), Vec2(i + 1, 0)});
   EXPECT_LT(near(WallCells(walls), Vec2(3, 0)).size(), 5U);
+}
+
+Vec2 on_curve(const Arc& wall, double angle) {
+  return wall.curve.centre + std::cos(angle) * wall.curve.u + std::sin(angle) * wall.curve.v;
+}
+
+// Circles, ellipses, parts of less and of more than half a turn, halves and Bezier curves; `place(share)` of each is a
+// point of it.
+struct Curves {
+  Surfaces walls;
+  std::vector<std::function<Vec2(double)>> places;
+
+  void add(const Arc& arc, double from, double sweep) {
+    walls.add(arc);
+    places.push_back([=](double share) { return on_curve(arc, from + share * sweep); });
+  }
+};
+Curves curves_of_all_kinds(Draws& draw, int count, const Vec2& offset) {
+  constexpr double kAround = 6.283185307179586;
+  Curves curves;
+  for (int i = 0; i < count; ++i) {
+    const Vec2 at = 10 * draw.point() + offset, u = 0.3 * (draw.point() - Vec2(0.5, 0.5));
+    const Ellipse curve(at, u, i % 2 == 0 ? Vec2(-u.y(), u.x()) : 0.3 * draw.point());
+    const bool turns_left = u.x() * curve.v.y() > u.y() * curve.v.x();
+    Arc arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}};
+    const double from = kAround * draw.unit(), sweep = kAround * (i % 3 == 0 ? 0.3 : 0.7);
+    if (i % 7 == 0) {
+      const Bezier bezier(at, at + u, at + 0.5 * draw.point(), at - u);
+      curves.walls.add(bezier);
+      curves.places.push_back([=](double share) {
+        return Vec2(bernstein_value(coordinates_of(kPlain, bezier, 0), share),
+                    bernstein_value(coordinates_of(kPlain, bezier, 1), share));
+      });
+    } else if (i % 5 == 0) {
+      curves.add(arc, 0, kAround);
+    } else if (turns_left) {
+      arc.extent = Arc::Extent::between;
+      arc.from = on_curve(arc, from);
+      arc.to = on_curve(arc, from + sweep);
+      curves.add(arc, from, sweep);
+    } else {
+      arc.extent = Arc::Extent::half;
+      arc.from = Vec2(-curve.u.y(), curve.u.x());
+      const double middle = std::atan2(curve.v.dot(arc.from), curve.u.dot(arc.from));
+      curves.add(arc, middle - kAround / 4, kAround / 2);
+    }
+  }
+  return curves;
+}
+
+// Towards a point of each, from near and far, and along its tangent there, where no more than the curve is met.
+TEST(WallCells, OfferEveryCurveThatARayMeets) {
+  for (const int count : {6, 30, 300})
+    for (const double offset : {0.0, 1e6}) {
+      Draws draw(3);
+      const Curves curves = curves_of_all_kinds(draw, count, Vec2(offset, -2 * offset));
+      const WallCells cells = WallCells::of_curves(curves.walls);
+      for (std::uint32_t i = 0; i < curves.walls.size(); ++i)
+        for (int k = 0; k < 40; ++k) {
+          const double share = k < 2 ? k : draw.unit();
+          const Vec2 point = curves.places[i](share), step = curves.places[i](share + 1e-4) - point;
+          Vec2 beside = -1e3 * step;
+          if (k % 4 != 0) beside = (k % 4) * (draw.point() - Vec2(0.5, 0.5));
+          const Ray ray{point - beside, (k % 3 + 0.01) * beside};
+          ExactHits exact(curves.walls, ray, {}, true);
+          exact.offers().offer(i);
+          if (exact.hits().empty()) continue;
+          const std::vector<std::uint32_t> found = cells.near(ray);
+          EXPECT_TRUE(std::binary_search(found.begin(), found.end(), i))
+              << i << ", " << k << " of " << count << " at " << offset;
+        }
+    }
+}
+
+// Rays from so far that where they pass a circle is within rounding of touching it.
+TEST(WallCells, OfferCirclesThatRoundingMightPassBy) {
+  Draws draw(5);
+  Surfaces walls;
+  walls.add(Circle{{0.3, -0.7}, 0.15});
+  const WallCells cells = WallCells::of_curves(walls);
+  int met = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double angle = 6.28 * draw.unit(), way = k % 2 == 0 ? -1e8 : 1e8;
+    const Vec2 normal(std::cos(angle), std::sin(angle)), along(-normal.y(), normal.x());
+    const Ray ray{Vec2(0.3, -0.7) + 0.15 * normal - way * along, way * (draw.unit() + 1) * along};
+    ExactHits exact(walls, ray, {}, true);
+    exact.offers().offer_all();
+    if (exact.hits().empty()) continue;
+    EXPECT_EQ(cells.near(ray).size(), 1U);
+    ++met;
+  }
+  EXPECT_GT(met, 1000);
+  EXPECT_LT(met, 3000);
 }
 
 }  // namespace
