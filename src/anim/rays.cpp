@@ -72,11 +72,6 @@ std::vector<RayState> ray_states(const Scene& scene, const FrameState& state) {
   return states;
 }
 
-std::string ray_name(const Scene& scene, std::uint32_t ray) {
-  const std::string& name = scene.rays[ray].name;
-  return name.empty() ? fmt::format("ray {}", ray + 1) : name;
-}
-
 bool moves(const RayPath& ray) {
   const bool fan_moves = ray.fan && (ray.fan->spread.curve || ray.fan->width.curve);
   return ray.motion.any() || ray.direction_x || ray.direction_y || fan_moves ||

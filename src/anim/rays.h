@@ -21,9 +21,6 @@ std::vector<RayState> ray_states(const Scene& scene, double time);
 /// The same in the world of a frame, displaced as everything is.
 std::vector<RayState> ray_states(const Scene& scene, const FrameState& state);
 
-/// What tables and messages call a ray: its name, or "ray 2" by its number where it has none.
-std::string ray_name(const Scene& scene, std::uint32_t ray);
-
 /// Whether a ray differs from frame to frame by itself, not by its groups.
 bool moves(const RayPath& ray);
 

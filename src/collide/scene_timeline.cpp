@@ -11,6 +11,7 @@
 #include "collide/simulate.h"
 #include "geom/polygon.h"
 #include "geom/polygon_edges.h"
+#include "scene/names.h"
 #include "scene/responses.h"
 
 namespace flatray {
@@ -50,9 +51,9 @@ void refuse_unseen(const Scene& scene, const std::vector<SimulatedBody>& bodies,
     if (unseen == thin.end()) continue;
     problems.push_back(
         {scene.entities[i].where,
-         fmt::format("entities '{}' and '{}' have no area and, wherever they meet, no inner point "
+         fmt::format("{} and {} have no area and, wherever they meet, no inner point "
                      "in common: they would pass through each other",
-                     scene.entities[i].name, scene.entities[*unseen].name),
+                     entity_name(scene, i), entity_name(scene, *unseen)),
          "make one of them a disc or a capsule, or write response = \"none\"", Trouble::invalid});
   }
 }
@@ -149,12 +150,8 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
 Result<void> check_complete(const Scene& scene, const Simulation& done, double last,
                             const Place& where) {
   if (done.until > last) return {};
-  const auto name = [&](std::uint32_t i) {
-    const std::string& own = scene.entities[i].name;
-    return own.empty() ? fmt::format("entity {}", i + 1) : fmt::format("'{}'", own);
-  };
   const auto names = [&](std::uint32_t a, std::uint32_t b) {
-    return fmt::format("{} and {}", name(a), name(b));
+    return fmt::format("{} and {}", entity_name(scene, a), entity_name(scene, b));
   };
   const std::string jammed = names(done.untold.first, done.untold.second);
   if (done.crowd > 0)

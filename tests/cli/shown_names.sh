@@ -47,4 +47,30 @@ run 0 check $'esc\e[2J.toml'
 clean "the scene's file name"
 run 3 check $'absent\e[2J.toml'
 clean "an absent file"
+
+# What has no name is called by its kind and number.
+cat > unnamed.toml << 'TOML'
+flatray = 1
+[[chamber]]
+shape = { box = { min = [0, 0], max = [10, 10] } }
+[[chamber.pillars]]
+shape = { circle = { radius = 1 } }
+at = [8, 5]
+[[entity]]
+shape = { box = { min = [1, 1], max = [2, 2] } }
+velocity = [24, 0]
+[[entity]]
+shape = { box = { min = [5, 1], max = [6, 2] } }
+[[ray]]
+at = [5, 5]
+direction = [1, 0]
+bounces = 2
+TOML
+run 0 orbit unnamed.toml --csv
+says out 'ray 1,1,2,2,7,5,chamber 1/pillar 1,circle,'
+says out 'ray 1,2,7,9,0,5,chamber 1,3,'
+run 0 collide unnamed.toml --last 8 --csv
+says out 'entity 1,entity 2,'
+run 0 hit unnamed.toml --ray 0,1.5,1,0
+says out 'against entity 1'
 finish

@@ -7,6 +7,7 @@
 #include "anim/world.h"
 #include "geom/clip.h"
 #include "geom/exact.h"
+#include "scene/names.h"
 #include "scene/outlines/outline.h"
 
 namespace flatray {
@@ -34,11 +35,6 @@ Rational exact_time(const NamedRay& named, const Segment& edge) {
   const Rational numerator = nx * (Rational(edge.a.x()) - Rational(ray.origin.x())) +
                              ny * (Rational(edge.a.y()) - Rational(ray.origin.y()));
   return numerator / (nx * direction(0) + ny * direction(1));
-}
-
-std::string entity_name(const Scene& scene, std::uint32_t entity) {
-  const std::string& name = scene.entities[entity].name;
-  return name.empty() ? fmt::format("entity {}", entity) : name;
 }
 
 // A convex piece in the world with the numbers its edges have in the shape as given.

@@ -11,6 +11,7 @@
 #include "geom/hit_interval.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
+#include "scene/names.h"
 #include "study/rooms/room.h"
 #include "transport/exact_origin.h"
 #include "transport/orbit_tracer.h"
@@ -22,9 +23,9 @@ constexpr double kDegreesInRadian = 57.29577951308232;
 constexpr std::size_t kMostProven = 10'000;
 
 std::string object_name(const Scene& scene, const SurfaceOwner& owner) {
-  const std::string& own = owner_name(scene, owner);
+  const std::string own = owner_name(scene, owner);
   const bool pillar = owner.kind == SurfaceOwner::Kind::pillar;
-  return pillar ? scene.chambers[owner.index].name + "/" + own : own;
+  return pillar ? chamber_name(scene, owner.index) + "/" + own : own;
 }
 
 JsonValue edge_value(const SurfaceOwner& owner) {
@@ -53,7 +54,7 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
   report.starts_badly = walls.empty() && (in_solid || !room.solids.in_chamber(start));
   report.start = !walls.empty()        ? "on " + walls_text(room.scene, room.world, walls)
                  : holder              ? "inside " + object_name(room.scene, *holder)
-                 : report.starts_badly ? "outside " + room.scene.chambers.front().name
+                 : report.starts_badly ? "outside " + chamber_name(room.scene, 0)
                                        : "free";
 }
 

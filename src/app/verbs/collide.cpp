@@ -12,6 +12,7 @@
 #include "collide/edge_ray_meetings.h"
 #include "collide/scene_timeline.h"
 #include "collide/simulate.h"
+#include "scene/names.h"
 #include "scene/responses.h"
 
 namespace flatray::verbs {
@@ -98,7 +99,7 @@ Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings, co
     const auto known = [knows](JsonValue value) {
       return knows == Knows::all ? std::move(value) : JsonValue();
     };
-    table.add({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
+    table.add({entity_name(scene, meeting.a), entity_name(scene, meeting.b),
                known(certain ? name(kind) : "undecided"), times.low, times.high,
                1 + times.low * scene.fps, known(from), known(plain(point.x())),
                known(plain(point.y())), known(plain(normal.x())), known(plain(normal.y())),
@@ -108,11 +109,6 @@ Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings, co
                known(width)});
   }
   return table;
-}
-
-std::string called(const Scene& scene, std::uint32_t i) {
-  const std::string& own = scene.entities[i].name;
-  return own.empty() ? fmt::format("entity {}", i + 1) : own;
 }
 
 // What the answer is not about, so that nobody takes silence for a miss; "" for nothing.
@@ -125,7 +121,7 @@ std::string left_out(const Scene& scene) {
     if (names.size() == kMostNames)
       ++more;
     else
-      names.push_back(called(scene, i));
+      names.push_back(entity_name(scene, i));
   }
   if (names.empty()) return {};
   return fmt::format("curves are left out but circles, capsules and ellipses: {}{}",
@@ -138,8 +134,8 @@ Table event_table(const Scene& scene, const Simulation& done, const Asked& asked
   for (const CollisionEvent& e : done.events) {
     const double frame = 1 + e.time * scene.fps;
     if (!asked.shows(frame, frame)) continue;
-    table.add({scene.entities[e.a].name, scene.entities[e.b].name, e.time, frame,
-               plain(e.point.x()), plain(e.point.y()), plain(e.normal.x()), plain(e.normal.y()),
+    table.add({entity_name(scene, e.a), entity_name(scene, e.b), e.time, frame, plain(e.point.x()),
+               plain(e.point.y()), plain(e.normal.x()), plain(e.normal.y()),
                plain(e.velocity_a.x()), plain(e.velocity_a.y()), plain(e.velocity_b.x()),
                plain(e.velocity_b.y())});
   }
@@ -152,7 +148,7 @@ std::string named_pairs(const Scene& scene,
   constexpr std::size_t kMostPairs = 3;
   std::vector<std::string> told;
   for (const auto& [a, b] : pairs.first(std::min(pairs.size(), kMostPairs)))
-    told.push_back(fmt::format("{} and {}", called(scene, a), called(scene, b)));
+    told.push_back(fmt::format("{} and {}", entity_name(scene, a), entity_name(scene, b)));
   const std::size_t more = pairs.size() - told.size();
   return comma_list(told) + (more == 0 ? "" : fmt::format(" ({} more)", more));
 }

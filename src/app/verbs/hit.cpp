@@ -10,6 +10,7 @@
 #include "app/options/option_values.h"
 #include "app/report/report.h"
 #include "app/verb.h"
+#include "scene/names.h"
 
 namespace flatray::verbs {
 namespace {
@@ -87,7 +88,7 @@ Result<std::vector<Question>> scene_questions(const Options& options, const Scen
         {edge_rays(scene, state, pair.from), {pair.against}, options.within(kSegment)});
   std::vector<NamedRay> rays;
   for (const RayState& ray : ray_states(scene, state))
-    rays.push_back({scene.rays[ray.ray].name, ray.start});
+    rays.push_back({ray_name(scene, ray.ray), ray.start});
   if (rays.empty()) return questions;
   return ask(options, scene, std::move(rays)).map([&](Question question) {
     questions.push_back(std::move(question));

@@ -12,6 +12,7 @@
 #include "base/number_text.h"
 #include "collide/scene_timeline.h"
 #include "scene/moving_mirrors.h"
+#include "scene/names.h"
 #include "scene/responses.h"
 
 namespace flatray::verbs {
@@ -140,7 +141,7 @@ class MovingRoom {
   OrbitReport follow(const OrbitRoom& room, const RayState& ray, double speed,
                      std::uint64_t bounces) const {
     const auto& [at, direction] = ray.start;
-    return follow_moving(room, walls_, room.scene.rays[ray.ray].name,
+    return follow_moving(room, walls_, ray_name(room.scene, ray.ray),
                          {at, at_speed(direction, speed)}, from_, {bounces, until_});
   }
 
@@ -162,10 +163,11 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
                                   "say fewer --bounces"));
   const std::optional<double> speed = options.speeds.of(ray);
   if (!speed)
-    return follow_orbit(room, ray.name,
+    return follow_orbit(room, ray_name(room.scene, state.ray),
                         {world_pose(frame)(state.start.origin), state.start.direction}, bounces,
                         options.request(room.scene, state.ray));
-  if (auto checked = check_frozen(options, ray.name); !checked) return fail(std::move(checked));
+  if (auto checked = check_frozen(options, ray_name(room.scene, state.ray)); !checked)
+    return fail(std::move(checked));
   if (!moving) {
     FLATRAY_TRY(made, MovingRoom::make(options, room.scene, frame));
     moving = std::move(*made);
@@ -204,9 +206,8 @@ Result<void> follow(const Options& options, Followed& all) {
   for (const RayState& ray : *rays) {
     FLATRAY_TRY(report, follow_ray(options, all.room, all.frame, ray, all.moving));
     if (report->starts_badly)
-      report_warnings({{all.scene.rays[ray.ray].where,
-                        all.scene.rays[ray.ray].name + " starts " + report->start, ""}},
-                      options);
+      report_warnings(
+          {{all.scene.rays[ray.ray].where, report->ray + " starts " + report->start, ""}}, options);
     all.reports.push_back(std::move(*report));
   }
   return {};

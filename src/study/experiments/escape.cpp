@@ -79,13 +79,7 @@ class Basins {
     const auto& [kind, index, pillar, hole] = exit;
     const Scene& scene = context_.scene;
     if (hole != kNoEntry) return scene.chambers[index].holes[hole].name;
-    const std::string& name = owner_name(scene, {kind, index, pillar, kNoEdge, {}});
-    if (!name.empty()) return name;
-    if (kind == SurfaceOwner::Kind::entity)
-      return called("entity", "", scene.entities[index].where);
-    const Chamber& chamber = scene.chambers[index];
-    return kind == SurfaceOwner::Kind::pillar ? called("pillar", "", chamber.pillars[pillar].where)
-                                              : called("chamber", "", chamber.where);
+    return owner_name(scene, {kind, index, pillar, kNoEdge, {}});
   }
 
   std::vector<Measure> measures() const {

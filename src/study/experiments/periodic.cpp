@@ -99,7 +99,7 @@ class PeriodicOrbits {
 
   std::string wall_name(std::uint32_t surface) const {
     const SurfaceOwner& owner = room_.room.owner(surface);
-    const std::string& name = owner_name(context_.scene, owner);
+    const std::string name = owner_name(context_.scene, owner);
     return owner.edge >= 0 ? fmt::format("{} {}", name, owner.edge + 1) : name;
   }
 

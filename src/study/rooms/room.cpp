@@ -8,6 +8,7 @@
 #include "base/counted.h"
 #include "base/portable_math.h"
 #include "collide/pillars.h"
+#include "scene/names.h"
 #include "scene/part_counts.h"
 #include "study/rooms/starts.h"
 #include "study/rooms/wall_places.h"
@@ -249,11 +250,11 @@ Result<void> expect_not_periodic(const ExperimentContext& context) {
   return {};
 }
 
-const std::string& owner_name(const Scene& scene, const SurfaceOwner& owner) {
-  if (owner.kind == SurfaceOwner::Kind::entity) return scene.entities[owner.index].name;
-  const Chamber& chamber = scene.chambers[owner.index];
-  return owner.kind == SurfaceOwner::Kind::pillar ? chamber.pillars[owner.pillar].name
-                                                  : chamber.name;
+std::string owner_name(const Scene& scene, const SurfaceOwner& owner) {
+  if (owner.kind == SurfaceOwner::Kind::entity) return entity_name(scene, owner.index);
+  if (owner.kind == SurfaceOwner::Kind::chamber) return chamber_name(scene, owner.index);
+  return name_or_number(scene.chambers[owner.index].pillars[owner.pillar].name, "pillar",
+                        owner.pillar);
 }
 
 Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces) {

@@ -107,8 +107,8 @@ Result<void> expect_not_periodic(const ExperimentContext& context);
 /// Whether it has walls at all.
 Result<void> expect_walls(const ExperimentContext& context, const Room& room);
 
-/// The name of the entity, chamber or pillar that a wall is of.
-const std::string& owner_name(const Scene& scene, const SurfaceOwner& owner);
+/// The entity, chamber or pillar that a wall is of, as scene/names.h has it.
+std::string owner_name(const Scene& scene, const SurfaceOwner& owner);
 /// Orbits that `count` bounces make, and how many each has.
 struct OrbitPlan {
   std::uint64_t orbits, bounces;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "anim/rays.h"
+#include "scene/names.h"
 #include "study/rooms/starts.h"
 
 namespace flatray {

@@ -8,6 +8,7 @@
 #include "anim/rays.h"
 #include "anim/world.h"
 #include "geom/predicates.h"
+#include "scene/names.h"
 #include "study/rooms/starts.h"
 #include "transport/orbit.h"
 
@@ -89,10 +90,8 @@ class MarginMeasure {
   std::string name_of(std::uint32_t wall) const {
     const SurfaceOwner& owner = world_.owner(wall);
     const bool entity = owner.kind == SurfaceOwner::Kind::entity;
-    const std::string& name =
-        entity ? scene_.entities[owner.index].name : scene_.chambers[owner.index].name;
     std::string text =
-        name.empty() ? fmt::format("{} {}", entity ? "entity" : "chamber", owner.index + 1) : name;
+        entity ? entity_name(scene_, owner.index) : chamber_name(scene_, owner.index);
     if (owner.kind == SurfaceOwner::Kind::pillar)
       text += fmt::format(" pillar {}", owner.pillar + 1);
     return owner.edge < 0 ? text : fmt::format("{} edge {}", text, owner.edge);

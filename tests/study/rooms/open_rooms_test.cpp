@@ -51,7 +51,7 @@ TEST(Escape, TellsCornersFromWalls) {
   EXPECT_EQ(found.measures.front().name, "into the open");
   EXPECT_EQ(measure(found, "into a corner").value, 0.25);
   EXPECT_EQ(measure(found, "trapped").value, 0.75);
-  EXPECT_EQ(escape(dark).measures.front().name, "into chamber of line 6");
+  EXPECT_EQ(escape(dark).measures.front().name, "into chamber 1");
 }
 
 // A circle with a hole of angle e: of orbits that turn by nearly 2 pi m / q a bounce what is left after n
