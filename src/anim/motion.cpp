@@ -86,8 +86,9 @@ std::string reason_to_move(const Scene& scene) {
   if (moves(scene.camera)) return "the camera moves";
   for (const RayPath& ray : scene.rays) {
     if (ray.ball || ray.speed)
-      return std::string(ray.ball ? "a ball" : "a ray") + " goes along '" + ray.name + "'";
-    if (moves(ray)) return "ray '" + ray.name + "' moves";
+      return std::string(ray.ball ? "a ball" : "a ray") + " goes along " +
+             called("ray", ray.name, ray.where);
+    if (moves(ray)) return called("ray", ray.name, ray.where) + " moves";
     if (auto reason = reason_of_groups(scene, ray.group); !reason.empty()) return reason;
   }
   for (const Entity& entity : scene.entities)

@@ -1,7 +1,5 @@
 #include "anim/rays.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -11,11 +11,12 @@
 #include "collide/simulate.h"
 #include "geom/polygon.h"
 #include "geom/polygon_edges.h"
-#include "scene/names.h"
 #include "scene/responses.h"
 
 namespace flatray {
 namespace {
+
+std::string called(const Entity& entity) { return called("entity", entity.name, entity.where); }
 
 bool any_area(const std::vector<ShapePart>& parts) {
   return std::any_of(parts.begin(), parts.end(),
@@ -53,7 +54,7 @@ void refuse_unseen(const Scene& scene, const std::vector<SimulatedBody>& bodies,
         {scene.entities[i].where,
          fmt::format("{} and {} have no area and, wherever they meet, no inner point "
                      "in common: they would pass through each other",
-                     entity_name(scene, i), entity_name(scene, *unseen)),
+                     called(scene.entities[i]), called(scene.entities[*unseen])),
          "make one of them a disc or a capsule, or write response = \"none\"", Trouble::invalid});
   }
 }
@@ -97,11 +98,10 @@ Result<double> mass_by_area(const Entity& entity, const std::vector<ShapePart>& 
   if (!any_area(parts)) return kInfinity;
   const double mass = area(parts, scale);
   if (std::isnormal(mass)) return mass;
-  return fail(
-      entity.where,
-      fmt::format("{} is too {} beside the others for a mass by its area",
-                  called("entity", entity.name, entity.where), mass < 1 ? "small" : "large"),
-      "write a mass, or mass = \"fixed\"");
+  return fail(entity.where,
+              fmt::format("{} is too {} beside the others for a mass by its area", called(entity),
+                          mass < 1 ? "small" : "large"),
+              "write a mass, or mass = \"fixed\"");
 }
 
 }  // namespace
@@ -123,9 +123,9 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
     body.response = response.value_or(response_of(scene, entity));
     if (body.response == Response::none) continue;
     if (const auto why = hindrance(scene, entity))
-      problems.push_back(
-          {entity.where, called("entity", entity.name, entity.where) + " " + why->what,
-           "responses are for entities that keep one velocity until they meet", Trouble::invalid});
+      problems.push_back({entity.where, called(entity) + " " + why->what,
+                          "responses are for entities that keep one velocity until they meet",
+                          Trouble::invalid});
     body.parts =
         parts_of(shape_of(scene, states[i]), pose({0, 0}, states[i].angle, states[i].scale));
   }
@@ -151,7 +151,7 @@ Result<void> check_complete(const Scene& scene, const Simulation& done, double l
                             const Place& where) {
   if (done.until > last) return {};
   const auto names = [&](std::uint32_t a, std::uint32_t b) {
-    return fmt::format("{} and {}", entity_name(scene, a), entity_name(scene, b));
+    return fmt::format("{} and {}", called(scene.entities[a]), called(scene.entities[b]));
   };
   const std::string jammed = names(done.untold.first, done.untold.second);
   if (done.crowd > 0)

@@ -11,7 +11,7 @@
 namespace flatray {
 namespace {
 
-// So many are looked at without cells; of curves, whose discs rule out most.
+// So many are looked at without cells; of curves more, as their discs rule out most.
 constexpr std::size_t kFew = 8, kFewCurves = 32;
 constexpr double kCellsAWall = 2, kCellsACurve = 1, kMostCells = 0x1p22;
 // Width and height of a wall in cells, on average: those that lie on one another, all as large as the grid, would pass
@@ -36,9 +36,17 @@ Form form_of(const Ellipse& curve, const Vec2& w, const Vec2& half) {
   return {length, spread.norm() + 0x1p-48 * terms};
 }
 
-// Whether its ends are about as near to the curve as rounding leaves them: else it reaches beyond.
+// Sizes of forms, which are products of two coordinates and squared.
+bool is_sound_form(double size) { return size > 0x1p-200 && size < 0x1p200; }
+
+// Whether its ends surely are about as near to the curve as rounding leaves them: else it may reach beyond. Of flat
+// curves the form loses digits.
 bool ends_on_curve(const Arc& arc) {
   if (arc.extent != Arc::Extent::between) return true;
+  const auto [least, most] = half_axes(arc.curve);
+  if (!(std::fabs(least) > 0x1p-10 * most &&
+        is_sound_form(std::fabs(form_size(kPlain, arc.curve)))))
+    return false;
   const auto near = [&](const Vec2& end) {
     const double length = form_of(arc.curve, end - arc.curve.centre, {0, 0}).length;
     const double r = std::fabs(form_size(kPlain, arc.curve));
@@ -63,8 +71,8 @@ WallCells::WallCells(const Surfaces& walls, bool of_curves)
   }
 }
 
-// But for some roundings of its radius. In the form in which its curve is a circle the part of a half turn and less
-// lies in the disc whose diameter is its chord.
+// But for some roundings of its radius, for which the constructor widens it. In the form in which its curve is a circle
+// the part of a half turn and less lies in the disc whose diameter is its chord.
 WallCells::Disc WallCells::disc_about(const Arc& wall) {
   const double axis = half_axes(wall.curve).most;
   const Vec2& centre = wall.curve.centre;
@@ -140,6 +148,7 @@ bool WallCells::may_pass(const Arc& arc, const Rect& rect) const {
   if (!ends_on_curve(arc)) return true;
   const Form form = form_of(arc.curve, low_ - arc.curve.centre + middle, half);
   const double r = std::fabs(form_size(kPlain, arc.curve));
+  if (!(is_sound_form(r) && is_sound_form(form.length + form.most))) return true;
   return form.length - form.most <= r * (1 + 0x1p-40) &&
          form.length + form.most >= r * (1 - 0x1p-40);
 }
@@ -163,8 +172,9 @@ void WallCells::visit_cells(const Wall& wall, const Rect& rect, const Visit& vis
 struct WallCells::Axis {
   double origin, way, all;
   double inverse = way == 0 ? 1 : 1 / way;
-  int step = way < 0 ? -1 : 1, cell = 0, left = 0;  // cells still to come
-  double border = 0, by = step;                     // of the cell, by which it is left
+  int step = way < 0 ? -1 : 1;
+  int cell = 0, left = 0;        // the cell it is in, and how many are still to come
+  double border = 0, by = step;  // of the cell, where the ray leaves it; from border to border
 
   // t at which the grid is entered and left; never entered where a ray that goes beside it misses it.
   double enter() const {
@@ -185,17 +195,15 @@ struct WallCells::Axis {
 };
 
 // A ray beside discs, in doubles: what it meets of one lies within `radius` of the foot of its centre, and no farther
-// beside it. Of a place p of size M, as seen from the origin o, d x (p - o) and d . (p - o) are off by less than
-// 2^-50 |d| (M + |o|), which `slack` is.
+// beside it. Of a centre c of size M, as seen from the origin o, d x (c - o) and d . (c - o) are off by less than 5 u
+// |d| (M + |o|), u = 2^-53; the centre itself by u M, a product for t by 8 u of the same: 16 u are allowed for.
 class WallCells::DiscFilter {
  public:
   DiscFilter(const Ray& ray, double magnitude)
       : origin_(ray.origin),
         direction_(ray.direction),
         speed_((1 + 0x1p-50) * direction_.norm()),
-        slack_(is_sound(magnitude) && is_sound(speed_)
-                   ? 0x1p-49 * speed_ * (magnitude + origin_.cwiseAbs().sum())
-                   : kInfinity),
+        slack_(slack(magnitude + origin_.cwiseAbs().sum())),
         per_square_(1 / direction_.squaredNorm()) {}
 
   /// Whether the disc is surely not met, or later than what is settled.
@@ -210,6 +218,9 @@ class WallCells::DiscFilter {
 
  private:
   static bool is_sound(double size) { return size > kLeastSize && size < kMostSize; }
+  double slack(double size) const {
+    return is_sound(size) && is_sound(speed_) ? 0x1p-49 * speed_ * size : kInfinity;
+  }
 
   const Vec2 origin_, direction_;
   const double speed_, slack_, per_square_;
@@ -230,15 +241,10 @@ void WallCells::walk(const Ray& ray, Offers& offers) const {
   if (begin_.empty() || !(speed > kLeastSize && speed < kMostSize) ||
       !(origin.cwiseAbs().maxCoeff() < kFar))
     return visit_all(offer);
-  double enter = 0, leave = kInfinity;
-  Axis axes[2];
-  for (int k = 0; k < 2; ++k) {
-    axes[k] = {origin[k], way[k], all[k]};
-    enter = std::max(enter, axes[k].enter());
-    leave = std::min(leave, axes[k].leave());
-  }
+  Axis x{origin.x(), way.x(), all.x()}, y{origin.y(), way.y(), all.y()};
+  const double enter = std::max({0.0, x.enter(), y.enter()});
+  const double leave = std::min({kInfinity, x.leave(), y.leave()});
   if (!(enter <= leave)) return;
-  auto [x, y] = axes;
   x.start(enter);
   y.start(enter);
   const double slack = kSlack / speed;

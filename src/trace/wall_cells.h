@@ -114,7 +114,7 @@ class WallCells {
   const bool of_curves_;
   const std::size_t count_;  // of walls
   std::vector<std::uint32_t> begin_,
-      listed_;               // walls of each cell, row by row, by surface() of them
+      listed_;               // numbers of walls, which surface() turns into surfaces
   std::vector<Disc> discs_;  // of curves
   int columns_ = 0, rows_ = 0;
   Vec2 low_{0, 0};

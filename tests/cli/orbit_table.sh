@@ -17,16 +17,16 @@ says out "probe: corner after 0 bounces at (20, 20), hall edge 1 and hall edge 2
 run 0 orbit "$hall" -D 'ray.0.at=[15,15]' -n 3 --corner back
 says out "limit after 3 bounces"
 run 0 orbit "$hall" -D 'ray.0.at=[25,5]' -n 3
-says err "probe starts outside hall"
+says err "ray 'probe' starts outside hall"
 says out "started outside hall"
 run 0 orbit "$hall" -D 'ray.0.at=[20,5]' -D 'ray.0.direction=[-1,1]' -n 3
 says out "started on hall edge 1"
 sinai=$root/scenes/chamber/sinai.toml
 run 0 orbit "$sinai" --ray one -D 'ray.0.at=[0.5,0.5]'
-says err "one starts inside box/disc"
+says err "ray 'one' starts inside box/disc"
 run 0 orbit "$sinai" --ray one -D 'ray.0.at=[0.5,0.5]' --json -q
 silent err
-says out '"message":"one starts inside box/disc"'
+says out '"message":"ray '"'"'one'"'"' starts inside box/disc"'
 run 0 orbit "$sinai" --ray one -n 60
 says out "only the first 4"
 if "$flatray" --version | grep -q "MPFR"; then

@@ -193,8 +193,9 @@ TEST(Simulate, PairsThatCannotOverlapAreRefusedWhereOneOfThemCanBeMoved) {
                     taller = "shape = { segment = { from = [0, -3], to = [0, 7] } }",
                     level = "shape = { segment = { from = [0, 0], to = [1, 0] } }",
                     disc = "shape = { circle = { radius = 1 } }", moved = "\nmass = 1";
-  EXPECT_NE(refused(upright + moved, taller).find(":5:1: error: entities 'a' and 'b' have no area"),
-            std::string::npos);
+  EXPECT_NE(
+      refused(upright + moved, taller).find(":5:1: error: entity 'a' and entity 'b' have no area"),
+      std::string::npos);
   EXPECT_NE(refused(upright, taller + moved), "");
   EXPECT_EQ(refused(upright, taller), "");
   EXPECT_EQ(refused(upright + moved, level), "");

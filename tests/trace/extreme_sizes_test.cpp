@@ -38,5 +38,38 @@ TEST(ExtremeSizes, WallsOfBothExtremesAreTracedExactly) {
   expect_all_tiers_exact(c);
 }
 
+// More ellipses than are asked one by one without cells, of sizes whose squares are no doubles.
+TEST(ExtremeSizes, EllipsesOfAnySizeAreTracedExactly) {
+  for (const double size : {1e-119, 1e-110, 1e-85, 1e-75, 1e70, 1e85, 1e119}) {
+    Draws draw(7);
+    Case c;
+    for (int i = 0; i < 40; ++i)
+      c.walls.add(
+          Arc{Ellipse(10 * size * draw.point(), size * Vec2(0.3, 0.2), size * Vec2(-0.2, 0.1)),
+              Arc::Extent::whole,
+              {0, 0},
+              {0, 0}});
+    for (int i = 0; i < 40; ++i) {
+      const Vec2 from(-size, 10 * size * draw.unit());
+      const Vec2 to = c.walls.arcs[static_cast<std::size_t>(i)].curve.centre;
+      c.rays.add({from, to - from});
+      c.rays.add({from, (to - from) / size});
+    }
+    expect_all_tiers_exact(c);
+  }
+}
+
+// From so far that what lies ahead of the ray is beyond the doubles.
+TEST(ExtremeSizes, CurvesAreMetFromTheEndOfTheDoubles) {
+  Case c;
+  c.walls.add(Segment{{10, -0.5}, {10, 0.5}});
+  c.walls.add(Circle{{0, 0}, 1});
+  for (const double speed : {1e-300, 1e-9, 1.0, 1e9, 1e300}) {
+    c.rays.add({{-1e300, 0}, {speed, 0}});
+    c.rays.add({{1e300, 0}, {-speed, 0}});
+  }
+  expect_all_tiers_exact(c);
+}
+
 }  // namespace
 }  // namespace flatray

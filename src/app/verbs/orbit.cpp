@@ -204,10 +204,12 @@ struct Followed {
 Result<void> follow(const Options& options, Followed& all) {
   FLATRAY_TRY(rays, chosen_rays(options, all.scene, all.frame));
   for (const RayState& ray : *rays) {
+    const RayPath& path = all.scene.rays[ray.ray];
     FLATRAY_TRY(report, follow_ray(options, all.room, all.frame, ray, all.moving));
     if (report->starts_badly)
       report_warnings(
-          {{all.scene.rays[ray.ray].where, report->ray + " starts " + report->start, ""}}, options);
+          {{path.where, called("ray", path.name, path.where) + " starts " + report->start, ""}},
+          options);
     all.reports.push_back(std::move(*report));
   }
   return {};

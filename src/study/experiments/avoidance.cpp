@@ -6,6 +6,7 @@
 #include "base/table.h"
 #include "collide/broad_phase.h"
 #include "collide/meetings.h"
+#include "scene/names.h"
 #include "scene/responses.h"
 #include "study/plots/plot.h"
 #include "study/statistics/blocks.h"
@@ -84,7 +85,7 @@ Plot plot_of(const ExperimentContext& context, const Choices& choices, const Num
   const Film& film = context.scene.film;
   const double duration = choices.duration();
   const auto colour = [](double part) { return heat(0.1 + 0.6 * part); };
-  Plot plot{"When '" + context.scene.entities[0].name + "' first meets another, by where it goes",
+  Plot plot{"When " + entity_name(context.scene, 0) + " first meets another, by where it goes",
             "x of its place by the last frame, world units",
             "y of its place by the last frame, world units",
             {}};
@@ -111,8 +112,8 @@ ExperimentResult results(const ExperimentContext& context, const Choices& choice
   for (int k = 0; k < kTenths; ++k) table.add({(k + 1) * duration / kTenths, by_tenth[k]});
   ExperimentResult result = measured(
       context, "avoidance",
-      fmt::format("{} x {} velocities of '{}', each to a pixel in {} s", film.width, film.height,
-                  context.scene.entities[0].name, duration),
+      fmt::format("{} x {} velocities of {}, each to a pixel in {} s", film.width, film.height,
+                  entity_name(context.scene, 0), duration),
       {remarked("meets nothing", static_cast<double>(free) / static_cast<double>(times.size()),
                 "of these velocities, counted")});
   result.files.push_back(csv_file("avoidance_times", table));
