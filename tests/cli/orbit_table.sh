@@ -57,11 +57,12 @@ run 0 orbit "$gallery" --ray 'side by side'
 (($(grep -c 'limit after 12 bounces' out.txt) == 3)) || fail "three rays of the fan were to be followed"
 run 0 orbit "$gallery" --ray 'side by side 2'
 says out "side by side 2: limit after 12 bounces"
-# Rays without names have none to ask for.
+# Rays without names are asked for by their numbers.
 printf '%s\n' 'flatray = 1' 'film = { size = [9, 9] }' '[[ray]]' 'at = [0, 0]' 'direction = [1, 0]' > nameless.toml
 run 2 orbit nameless.toml --ray nope
-says err '--ray: error: the scene has no ray with a name'
-says err 'or leave --ray out to follow all'
+says err "--ray: error: no ray of the scene is called 'nope'"
+says err 'ray 1'
+run 0 orbit nameless.toml --ray 'ray 1'
 lorentz=$root/scenes/chamber/lorentz.toml
 run 0 orbit "$lorentz"
 says out "cell/disc"

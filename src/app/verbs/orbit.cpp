@@ -83,26 +83,23 @@ Result<std::vector<RayState>> chosen_rays(const Options& options, const Scene& s
   const std::optional<std::string>& wanted = options.ray;
   std::vector<std::string> known;
   bool any = false;
-  const auto chosen = [&](const RayPath& ray) {
-    return !wanted || *wanted == ray.name || *wanted == ray.written_name;
+  const auto chosen = [&](std::uint32_t ray) {
+    return !wanted || *wanted == ray_name(scene, ray) || *wanted == scene.rays[ray].written_name;
   };
-  for (const RayPath& ray : scene.rays) {
+  for (std::uint32_t ray = 0; ray < scene.rays.size(); ++ray) {
     any |= chosen(ray);
-    if (!ray.name.empty()) known.push_back(ray.name);
+    known.push_back(ray_name(scene, ray));
   }
   std::vector<RayState> rays = ray_states(scene, frame.time);
-  std::erase_if(rays, [&](const RayState& ray) { return !chosen(scene.rays[ray.ray]); });
+  std::erase_if(rays, [&](const RayState& ray) { return !chosen(ray.ray); });
   if (!rays.empty()) return rays;
   if (any)
     return fail(named_place(options.operands().front()),
                 fmt::format("no ray has a direction in frame {}", frame.frame),
                 "ask for a frame in which its curve is not 0");
-  if (!wanted)
+  if (known.empty())
     return fail(named_place(options.operands().front()), "has no ray to follow",
                 "add [[ray]] with at, direction and bounces");
-  if (known.empty())
-    return usage_error(options.where("ray"), "the scene has no ray with a name",
-                       R"(add name = "first" to [[ray]], or leave --ray out to follow all)");
   return unknown_name(options.where("ray"), "ray of the scene", *wanted, known);
 }
 
