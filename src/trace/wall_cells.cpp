@@ -18,7 +18,7 @@ constexpr double kCellsAWall = 2, kCellsACurve = 1, kMostCells = 0x1p22;
 // the root of all cells each.
 constexpr double kCellsAcross = 10;
 constexpr double kMargin = 0x1p-10;  // of a cell's side, by which lists reach beyond it
-constexpr double kFar = 0x1p30;      // cells away, where places are off by 2^-22
+constexpr double kFar = 0x1p30;      // cells away, where places are off by 2^-20
 constexpr double kSlack = 0x1p-12;   // cells, by which a walk may be off
 constexpr double kLeastSize = 0x1p-400, kMostSize = 0x1p400;
 

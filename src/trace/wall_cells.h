@@ -14,11 +14,11 @@ namespace flatray {
 /// Walls of any kind by the cells of a grid that they pass, to ask which come near a point; or, of curves, walked by
 /// one ray at a time in double precision.
 ///
-/// Gives   lists that hold every wall within 2^-10 of a cell's side of it; some 2 cells a wall.
+/// Gives   lists that hold every wall within 2^-10 of a cell's side of it; some 2 cells a wall, 1 a curve.
 ///         Few walls, and those whose coordinates leave no room for sound arithmetic, are in no
 ///         cells: all of them are looked at.
-/// Cost    to build O(n): walls pass some dozen cells on average, of a wider grid where they overlap. A ray: 3 ns a
-///         cell, 2 ns a curve in it, and what the filter takes of those whose discs it meets.
+/// Cost    to build O(n): walls pass some dozen cells on average, of a wider grid where they overlap. A ray: 20 ns
+///         a cell with the curves in it, and what the filter takes of those whose discs it meets.
 class WallCells {
  public:
   /// All walls. Needs   `walls` to outlive it, and to stay as they are.

@@ -60,8 +60,9 @@ says err "standard output: error: cannot write: No space left on device"
 # Whether the stand-in of ffmpeg.pid runs: one that ended stays, dead, where the first process of a container waits for
 # none.
 runs() {
-  local state
-  state=$(sed 's/.*) //; s/ .*//' "/proc/$(cat ffmpeg.pid)/stat" 2> /dev/null) && [[ -n $state && $state != Z ]]
+  local pid state
+  pid=$(cat ffmpeg.pid) || return 1
+  state=$(sed 's/.*) //; s/ .*//' "/proc/$pid/stat" 2> /dev/null) && [[ -n $state && $state != Z ]]
 }
 
 # fake SCRIPT: what runs as ffmpeg from here on; it knows the file by its last argument.
