@@ -140,8 +140,9 @@ void BandScan::see(int column, std::uint32_t part, const ItemLook* below) {
   items.clear();
   shown_.clear();
   const auto add = [&](const ItemLook& look, int winding) {
-    items.push_back(
-        {&look, winding, look.varies ? look.at(column, row_, list_.width) : look.light});
+    Seen& one = items.emplace_back();  // written in place: a copy of what was just written waits
+    one.look = &look, one.winding = winding;
+    one.light = look.varies ? look.at(column, row_, list_.width) : look.light;
   };
   if (below != nullptr) add(*below, 1);
   auto cover = active_.begin();
