@@ -144,7 +144,7 @@ PlaceOn ExactHit::place_on(const Arc& arc) const {
   if (side == Sign::zero) return place_in(arc);
   if (arc.extent != Arc::Extent::between) return PlaceOn::outside;
   for (const Vec2& end : {arc.from, arc.to})
-    if (curve_side(end, arc.curve) == side && turn(centre, centre, end) == Sign::zero &&
+    if (turn(centre, centre, end) == Sign::zero && curve_side(end, arc.curve) == side &&
         ahead(centre, centre, end) == Sign::positive && ahead(end, centre, end) != side)
       return PlaceOn::at_end;
   return PlaceOn::outside;

@@ -48,8 +48,14 @@ struct HitTime::OnBezier {
 };
 
 HitTime HitTime::on_curve(const Ray& ray, const Bezier& curve, const BezierRoot& root) {
-  const auto d = pair_of(kBounded, ray.direction);
-  const Bounded t = bernstein_value(ahead_of_ray(kBounded, curve, ray), root.s) / dot(d, d);
+  const auto at = [&](const auto& number, const auto& s) {
+    const auto d = pair_of(number, ray.direction);
+    return bernstein_value(ahead_of_ray(number, curve, ray), s) / dot(d, d);
+  };
+  Quick quick = 0;
+  with_fused([&] { quick = at(kQuick, Quick(root.s.value(), root.s.error())); });
+  const Bounded t =
+      quick.is_rounded() ? Bounded(quick.value(), quick.error()) : at(kBounded, root.s);
   HitTime time;
   time.ray_ = ray;
   time.bezier_ = std::make_shared<const OnBezier>(OnBezier{curve, root, t});
@@ -193,17 +199,14 @@ std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve, const Ve
 
 std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec2& end) {
   const Vec2& centre = curve.centre;
-  const Sign place = curve_side(end, curve);
-  if (place == Sign::zero) return std::nullopt;
   // The ray's line meets that of the centre c and the end e in c + s (e - c), s = side / turn.
   const Sign turn = -turn_from_edge(centre, end, ray.direction);
   const Sign side = side_of_ray(ray, centre);
-  if (turn == Sign::zero) {
-    if (side != Sign::zero) return std::nullopt;
-    return HitTime::abreast(ray, end);
-  }
   // Its sides: of the centre w0, of the end w0 + turn; s = -w0 / turn.
-  if (side * turn != Sign::negative) return std::nullopt;
+  if (turn == Sign::zero ? side != Sign::zero : side * turn != Sign::negative) return std::nullopt;
+  const Sign place = curve_side(end, curve);  // last: an end is so near that filters cannot tell
+  if (place == Sign::zero) return std::nullopt;
+  if (turn == Sign::zero) return HitTime::abreast(ray, end);
   const Sign beyond_end = -side_of_ray(ray, end) * turn;  // sign of s - 1
   if (beyond_end == place) return std::nullopt;
   const Sign power = decide([&](const auto& number) {

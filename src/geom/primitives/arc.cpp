@@ -64,9 +64,11 @@ Vec2 touched(const Ray& ray, const Ellipse& curve) {
 }  // namespace
 
 Sign curve_side(const Vec2& point, const Ellipse& curve) {
-  return decide([&](const auto& number) {
+  const auto power = [&](const auto& number) {
     return curve_power(number, curve, pair_of(number, point) - pair_of(number, curve.centre));
-  });
+  };
+  if (const auto sure = power(kNear).sign()) return *sure;
+  return decide(power);
 }
 
 // By their centres and by u u' + v v', which no change of conjugate half-diameters moves.
@@ -91,7 +93,7 @@ PlaceOn place_on(const Arc& arc, const Vec2& point) {
   if (arc.extent != Arc::Extent::between) return PlaceOn::outside;
   // What joins an end e to the curve: from e on, towards the curve and no farther.
   for (const Vec2& end : {arc.from, arc.to}) {
-    if (curve_side(end, arc.curve) != side || orientation(centre, end, point) != Sign::zero)
+    if (orientation(centre, end, point) != Sign::zero || curve_side(end, arc.curve) != side)
       continue;
     const Sign ahead = decide([&](const auto& number) {
       const auto e = pair_of(number, end) - pair_of(number, centre);

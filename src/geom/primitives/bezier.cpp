@@ -12,14 +12,23 @@
 namespace flatray {
 namespace {
 
-std::optional<std::vector<BezierRoot>> quick_roots(const Bezier& curve, const Ray& ray) {
-  const auto plain = [](const Bounded& x) { return x.hi(); };
-  const auto roots = bernstein_roots(kBounded, plain, beside_ray(kBounded, curve, ray), 2);
+template <class Make>
+std::optional<std::vector<BezierRoot>> enclosed_roots(const Make& number, const Bezier& curve,
+                                                      const Ray& ray) {
+  const auto plain = [](const auto& x) { return x.hi(); };
+  const auto roots = bernstein_roots(number, plain, beside_ray(number, curve, ray), 2);
   if (!roots) return std::nullopt;
   std::vector<BezierRoot> found;
   for (const auto& [s, multiplicity, slope] : *roots)
-    found.push_back({Root::none, static_cast<int>(found.size()), multiplicity, slope, s, false});
+    found.push_back({Root::none, static_cast<int>(found.size()), multiplicity, slope,
+                     Bounded(s.value(), s.error()), false});
   return found;
+}
+
+std::optional<std::vector<BezierRoot>> quick_roots(const Bezier& curve, const Ray& ray) {
+  std::optional<std::vector<BezierRoot>> quick;
+  with_fused([&] { quick = enclosed_roots(kQuick, curve, ray); });
+  return quick ? quick : enclosed_roots(kBounded, curve, ray);
 }
 
 // With its nearest double, and that of what is left.
