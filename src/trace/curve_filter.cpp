@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/decide.h"
+#include "geom/primitives/bezier_roots.h"
 #include "geom/primitives/wall.h"
 
 namespace flatray {
@@ -41,6 +42,27 @@ std::optional<bool> crosses_between(const Ray& ray, const Arc& wall, const Near&
   return known ? std::optional(place != PlaceOn::outside) : std::nullopt;
 }
 
+// By the roots themselves, where all of them are certain; `least` is before all that are ahead.
+FilteredCurve filter_roots(const Ray& ray, const Bezier& wall, double least) {
+  const auto plain = [](const Near& x) { return x.value(); };
+  const FilteredCurve open{Verdict::open, least, kInfinity, Root::none};
+  const auto roots = bernstein_roots(kNear, plain, beside_ray(kNear, wall, ray), 1);
+  if (!roots) return open;
+  const auto d = pair_of(kNear, ray.direction);
+  const auto ahead = ahead_of_ray(kNear, wall, ray);
+  RootNames names;
+  FilteredCurve first{Verdict::missed, kInfinity, kInfinity, Root::none};
+  for (const auto& [s, multiplicity, slope] : *roots) {
+    const Root name = names.next(multiplicity, slope);
+    const Near t = bernstein_value(ahead, s) / dot(d, d);
+    if (t.high() < 0) continue;
+    const bool apart = t.high() < first.low || t.low() > first.high || first.low == kInfinity;
+    if (!(t.low() > 0) || !apart) return open;
+    if (t.low() < first.low) first = {Verdict::sure, t.low(), t.high(), name};
+  }
+  return first;
+}
+
 }  // namespace
 
 [[gnu::flatten]] FilteredCurve filter_curve(const Ray& ray, const Arc& wall, Root left) {
@@ -63,9 +85,9 @@ std::optional<bool> crosses_between(const Ray& ray, const Arc& wall, const Near&
   return kMissed;
 }
 
-// By its control points: a polynomial has no more roots than its coefficients change signs, and no
-// value beyond them.
-FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, Root left) {
+// By its control points, if they tell: a polynomial has no more roots than its coefficients change signs,
+// and no value beyond them. The wall it leaves is met again only ahead of the origin.
+FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, Root) {
   const auto d = pair_of(kNear, ray.direction), origin = pair_of(kNear, ray.origin);
   const Near speed = dot(d, d);
   double low = kInfinity, high = -kInfinity;
@@ -83,9 +105,8 @@ FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, Root left) {
     last = side;
   }
   if (high < 0 || changes == 0) return kMissed;
-  if (left != Root::none) return kOpen;
   const double least = (Near(low) / speed).low(), most = (Near(high) / speed).high();
-  if (changes > 1 || !(least > 0)) return {Verdict::open, least, kInfinity, Root::none};
+  if (changes > 1 || !(least > 0)) return filter_roots(ray, wall, least);
   return {Verdict::sure, least, most, last == Sign::positive ? Root::first : Root::second};
 }
 

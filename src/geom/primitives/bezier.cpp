@@ -157,15 +157,8 @@ Polynomial powers_of(Bernstein<Rational> c) {
 std::vector<BezierRoot> roots_of(const Bezier& curve, const Ray& ray) {
   auto quick = quick_roots(curve, ray);
   std::vector<BezierRoot> found = quick ? std::move(*quick) : rational_roots(curve, ray);
-  bool entered = false, left = false;
-  for (BezierRoot& root : found) {
-    if (root.multiplicity % 2 == 0)
-      root.root = Root::both;
-    else if (root.slope == Sign::positive)
-      root.root = std::exchange(entered, true) ? Root::third : Root::first;
-    else
-      root.root = std::exchange(left, true) ? Root::fourth : Root::second;
-  }
+  RootNames names;
+  for (BezierRoot& root : found) root.root = names.next(root.multiplicity, root.slope);
   return found;
 }
 

@@ -135,6 +135,19 @@ class BernsteinRoots {
   std::vector<Found> found_;
 };
 
+/// Names the roots of a line and a Bezier curve, told in the order of s, by how they cross.
+class RootNames {
+ public:
+  Root next(int multiplicity, Sign slope) {
+    if (multiplicity % 2 == 0) return Root::both;
+    if (slope == Sign::positive) return std::exchange(entered_, true) ? Root::third : Root::first;
+    return std::exchange(left_, true) ? Root::fourth : Root::second;
+  }
+
+ private:
+  bool entered_ = false, left_ = false;
+};
+
 template <class Number, class Make, class Plain>
 auto bernstein_roots(const Make& make, const Plain& plain, Bernstein<Number> c, int steps) {
   return BernsteinRoots<Number, Make, Plain>(make, plain, steps).of(std::move(c));
