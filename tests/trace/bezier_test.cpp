@@ -1,6 +1,8 @@
 // Bezier curves as walls of every exact tracer.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "oracle/families.h"
 #include "oracle/nearest.h"
 #include "trace/random_rays.h"
@@ -37,6 +39,31 @@ TEST(BezierWalls, AreMetAsTheOracleTells) {
     scene.rays.resize(32);
     expect_truth(scene.surfaces(), scene.rays);
   }
+}
+
+// A parabola as a quadratic curve and as a cubic one, the same points: every ray meets both at one time.
+TEST(BezierWalls, OfTwoThatAreTheSameTheFirstIsMet) {
+  const std::array<Vec2, 3> p = {Vec2(0, 0), Vec2(6, 21), Vec2(15, 3)};
+  const Bezier quadratic(p[0], p[1], p[2]),
+      cubic(p[0], (p[0] + 2 * p[1]) / 3, (2 * p[1] + p[2]) / 3, p[2]);
+  Surfaces one, other;
+  one.add(quadratic), one.add(cubic);
+  other.add(cubic), other.add(quadratic);
+  const auto first = accelerate(one), second = accelerate(other);
+  Draws draw(5);
+  std::size_t met = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double x = draw.unit(), y = draw.unit(), u = draw.unit(), v = draw.unit();
+    const Ray ray{{15 * x, 20 * y}, {u - 0.5, v - 0.5}};
+    const NearestHit hit = first->nearest_of_one(ray), same = second->nearest_of_one(ray);
+    ASSERT_EQ(static_cast<bool>(hit), static_cast<bool>(same));
+    if (!hit) continue;
+    ++met;
+    EXPECT_EQ(hit.surface, 0U);
+    EXPECT_EQ(same.surface, 0U);
+    EXPECT_EQ(hit.t, same.t);
+  }
+  EXPECT_GT(met, 100U);
 }
 
 // So many that they are in cells, among segments and discs.
