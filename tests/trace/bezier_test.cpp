@@ -66,6 +66,16 @@ TEST(BezierWalls, OfTwoThatAreTheSameTheFirstIsMet) {
   EXPECT_GT(met, 100U);
 }
 
+// There both roots are one meeting, in a corner.
+TEST(BezierWalls, AreMetWhereTheyCrossThemselves) {
+  Surfaces walls;
+  walls.add(Bezier(Vec2(-18, 12), Vec2(26, -4), Vec2(-26, -4), Vec2(18, 12)));
+  std::vector<Ray> rays;
+  for (int x = -20; x <= 20; x += 3)
+    for (int y = -8; y <= 1; y += 3) rays.push_back({Vec2(x, y), Vec2(0, 3) - Vec2(x, y)});
+  expect_truth(walls, rays);
+}
+
 // So many that they are in cells, among segments and discs.
 TEST(BezierWalls, InCellsNoneIsLost) {
   Draws draw(11);
