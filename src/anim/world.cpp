@@ -1,6 +1,8 @@
 #include "anim/world.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "geom/hit_interval.h"
@@ -21,16 +23,17 @@ PathEdge arc_in_world(const PathWall& wall, const Pose& place) {
   const EllipseArc& arc = *wall.arc;
   const Vec2 from = place(wall.from), to = place(wall.to);
   const Ellipse curve = curve_of(arc, place);
-  const bool whole = arc.is_whole();
   const bool is_flat = cross_sign(curve.u, curve.v) == Sign::zero;
+  // So small, and so far away, that the doubles do not tell the directions of its ends apart.
+  const bool ends_alike =
+      !is_flat && !arc.is_whole() && lie_in_one_direction(curve.centre, from, to);
+  const bool whole = arc.is_whole() || (ends_alike && std::abs(arc.sweep) > std::numbers::pi);
   if (is_flat && whole) {
     const Vec2 reach =
         curve.u.cwiseAbs().maxCoeff() > curve.v.cwiseAbs().maxCoeff() ? curve.u : curve.v;
     return {curve.centre - reach, curve.centre + reach, std::nullopt};
   }
-  // So small, and so far away, that the doubles do not tell an end from the centre.
-  if (is_flat || (!whole && (from == to || from == curve.centre || to == curve.centre)))
-    return {from, to, std::nullopt};
+  if (!whole && (is_flat || ends_alike)) return {from, to, std::nullopt};
   const bool forward = (arc.sweep > 0) == (cross_sign(arc.u, arc.v) == Sign::positive);
   if (whole) return {from, to, Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}, !forward}, forward};
   return {from, to,

@@ -37,7 +37,8 @@ double ExactHit::rounded(const Polynomial& of_time) const {
 Vec2 ExactHit::nearest() const {
   const auto coordinate = [&](int axis, const Bounded& from) {
     if (const auto value = (Bounded(curve_.centre[axis]) + from).nearest()) return *value;
-    return rounded({ray_.origin[axis], ray_.direction[axis]});
+    constexpr double largest = std::numeric_limits<double>::max();
+    return std::clamp(rounded({ray_.origin[axis], ray_.direction[axis]}), -largest, largest);
   };
   return {coordinate(0, from_.x), coordinate(1, from_.y)};
 }

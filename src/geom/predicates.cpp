@@ -40,6 +40,15 @@ Sign cross_sign(const Vec2& a, const Vec2& b) {
   return cross_sign(zero, a, zero, b);
 }
 
+bool lie_in_one_direction(const Vec2& centre, const Vec2& a, const Vec2& b) {
+  if (cross_sign(centre, a, centre, b) != Sign::zero) return false;
+  const auto opposite = [&](int axis) {
+    return (a[axis] > centre[axis] && b[axis] < centre[axis]) ||
+           (a[axis] < centre[axis] && b[axis] > centre[axis]);
+  };
+  return !opposite(0) && !opposite(1);
+}
+
 Sign side_of_ray(const Ray& ray, const Vec2& p) {
   return cross_sign(Vec2(0, 0), ray.direction, ray.origin, p);
 }

@@ -22,6 +22,9 @@ Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 /// Sign of a x b for given vectors. Exact for all finite doubles.
 Sign cross_sign(const Vec2& a, const Vec2& b);
 
+/// Whether a and b lie in one direction from a centre, or one is it. Exact.
+bool lie_in_one_direction(const Vec2& centre, const Vec2& a, const Vec2& b);
+
 /// Sign of cross(d, p - o): the side of `p` seen from `o` along `d`, positive to the left. Exact.
 /// It decides whether a ray meets a straight wall or a convex polygon.
 Sign side_of_ray(const Ray& ray, const Vec2& p);

@@ -127,7 +127,7 @@ class Meetings {
   }
 
   // Where the ray meets what joins an end, off the curve, to the curve: the points s `end` from
-  // s = 1 to that on the curve. One along the ray is met at the end itself.
+  // s = 1 to that on the curve. One along the ray is met at the start, if that is on it, else at the end itself.
   void offer_joint(const Point& end) {
     const Sign side = frame_.side(end);
     if (side == Sign::zero) return;
@@ -137,18 +137,18 @@ class Meetings {
       const Rational s = cross(from_, way_) / turn;
       if (s.sign() != Sign::positive || (s - 1).sign() == side) return;
       at = s * end;
-    } else if (cross(end, from_).sign() != Sign::zero) {
-      return;
+    } else {
+      if (cross(end, from_).sign() != Sign::zero) return;
+      offer_start_on_joint(end, side);
+      if (is_zero(way_)) return;
     }
     if (-frame_.side(at) == side) return;
-    if (is_zero(way_)) return offer_still_joint(end, side);
     const Point to = at - from_;
     offer({dot(to, way_) / dot(way_, way_), 0, 0}, HitClass::touch, Root::none, true);
   }
 
-  // The start of a ray without direction on the line of a joint: on it, if ahead of the centre,
-  // between the end and the curve.
-  void offer_still_joint(const Point& end, Sign side) {
+  // The start of a ray on the line of a joint: on it, if ahead of the centre, between the end and the curve.
+  void offer_start_on_joint(const Point& end, Sign side) {
     const Sign beyond = (dot(end, from_) - dot(end, end)).sign();
     if (dot(end, from_).sign() != Sign::positive || beyond == side) return;
     if (-frame_.side(from_) == side) return;

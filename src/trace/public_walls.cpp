@@ -13,15 +13,6 @@ Status check_radii(Column radius) {
   return {};
 }
 
-bool lie_in_one_direction(const Vec2& centre, const Vec2& a, const Vec2& b) {
-  if (cross_sign(centre, a, centre, b) != Sign::zero) return false;
-  const auto same_side = [&](int axis) {
-    return (a[axis] > centre[axis]) == (b[axis] > centre[axis]) &&
-           (a[axis] < centre[axis]) == (b[axis] < centre[axis]);
-  };
-  return same_side(0) && same_side(1);
-}
-
 // Puts `make(i)` for every entry at the end of the walls, where there are numbers for all.
 template <class Make>
 Status add_all(Surfaces& walls, std::size_t count, const Make& make) {
@@ -101,8 +92,7 @@ Status Walls::add_arcs(Column x, Column y, Column radius, Column from_x, Column 
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Arc one = arc(i);
     const Vec2& centre = one.curve.centre;
-    if (radius[i] == 0 || one.from == centre || one.to == centre ||
-        lie_in_one_direction(centre, one.from, one.to))
+    if (radius[i] == 0 || lie_in_one_direction(centre, one.from, one.to))
       return {Fault::degenerate, i};
   }
   return add_all(data().surfaces, x.size(), arc);

@@ -27,6 +27,25 @@ for scene in "$root"/scenes/*.toml "$root"/scenes/*/*.{toml,obj,json} objects.li
 done
 ((count > 15)) || fail "only $count scenes"
 
+# What is drawn covers what stands before it, of whatever kind.
+cat > turns.toml << 'TOML'
+flatray = 1
+film = { size = [60, 60], world = [[0, 0], [6, 6]] }
+[[entity]]
+shape = { box = { min = [2, 1], max = [3, 5.7] } }
+fill = "#0000ff"
+[[ray]]
+at = [1, 3]
+stroke = { width = 1, colour = "#ff0000" }
+[[entity]]
+shape = { box = { min = [2.5, 1.5], max = [5, 5] } }
+fill = "#00ff00"
+TOML
+run 0 convert turns.toml turned.toml
+run 0 render turns.toml -o turns.png -q
+run 0 render turned.toml -o turned.png -q
+run 0 compare turns.png turned.png
+
 # What the folder of the file means is kept, also on standard output, which is written from here.
 scene plain.toml 1
 mkdir -p far/away

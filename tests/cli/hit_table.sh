@@ -35,4 +35,22 @@ run 0 hit "$root/scenes/paper/case_two.toml" --from box_1 --against box_2
 (($(grep -c 'miss, starts' out.txt) == 4)) || fail "case II is not four misses"
 run 2 hit "$case_one" --ray 1,2,3
 says err "is not four numbers"
+
+# An arc whose ends lie in one direction as doubles see them, so small or so nearly whole is it.
+cat > far_arcs.toml << 'TOML'
+flatray = 1
+[[entity]]
+name = "small"
+shape = { arc = { centre = [1e9, 0], radius = 1, from = 89.999999, to = 90 } }
+stroke = { width = 0.1 }
+[[entity]]
+name = "large"
+shape = { arc = { centre = [1e9, 0], radius = 1, from = 90, to = 449.999999 } }
+stroke = { width = 0.1 }
+TOML
+run 0 hit far_arcs.toml --ray 999999990,0.25,1,0 --against small
+says out 'miss, starts outside'
+run 0 hit far_arcs.toml --ray 999999990,0.25,1,0 --against large
+says out 'touch: t from 9.031754163448145 to 9.031754163448145'
+
 finish

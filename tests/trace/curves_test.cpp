@@ -84,16 +84,18 @@ TEST(Curves, ACircleByHalfDiametersGivesTheCirclesAnswers) {
   for (int i = 0; i < 4000; ++i) {
     const double r = draw.spread(-20, 20);
     const Circle circle{draw.point(), std::fabs(r)};
-    Surfaces as_circle, as_ellipse, turned;
+    Surfaces as_circle, as_ellipse, turned, half_turned;
     as_circle.add(circle);
     as_ellipse.add(whole(circle));
     turned.add(whole({circle.centre, {0, r}, {-r, 0}}));
+    half_turned.add(whole({circle.centre, {-r, 0}, {0, -r}}));
     const Vec2 aim = circle.centre + r * (2 * draw.point() - Vec2(1, 1));
     const Vec2 origin = circle.centre + draw.spread(-20, 20) * (2 * draw.point() - Vec2(1, 1));
     const Ray ray{origin, draw.spread(-20, 20) * (aim - origin)};
     const NearestHit hit = nearest_curve(as_circle, ray);
     ASSERT_EQ(nearest_curve(as_ellipse, ray), hit);
     ASSERT_EQ(nearest_curve(turned, ray), hit);
+    ASSERT_EQ(nearest_curve(half_turned, ray), hit);
     hits += hit ? 1 : 0;
   }
   EXPECT_GT(hits, 500);

@@ -129,9 +129,10 @@ tl::unexpected<Diagnostics> nothing_to_clip(const Options& options) {
     return usage_error(named_place("hit"), "there is no ray to ask about",
                        "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
   return usage_error(named_place("hit"),
-                     "no entity has a convex piece, a curve or a segment to hit",
-                     "even-odd polygons have no inside to clip to; walls of chambers and their "
-                     "pillars: flatray orbit");
+                     "no ray meets a convex piece, a curve or a segment to clip it by",
+                     "the entity of --from needs straight edges, which are its rays; even-odd "
+                     "polygons have no inside to clip to; walls of chambers and their pillars: "
+                     "flatray orbit");
 }
 
 // --op: what is left of each ray, by the entities that have an inside.

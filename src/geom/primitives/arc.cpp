@@ -86,26 +86,27 @@ bool is_same_curve(const Ellipse& a, const Ellipse& b) {
   return (a.u == b.u && a.v == b.v) || (is_same(0, 0) && is_same(0, 1) && is_same(1, 1));
 }
 
+// From the end e on, towards the curve and no farther. Sides are asked last: an end is so near to the curve
+// that filters do not tell.
+bool is_on_joint(const Ellipse& curve, const Vec2& end, const Vec2& point) {
+  const Vec2& centre = curve.centre;
+  if (orientation(centre, end, point) != Sign::zero) return false;
+  const auto ahead_of = [&](const Vec2& from) {
+    return decide([&](const auto& number) {
+      return dot(pair_of(number, point) - pair_of(number, from),
+                 pair_of(number, end) - pair_of(number, centre));
+    });
+  };
+  if (ahead_of(centre) != Sign::positive) return false;
+  const Sign side = curve_side(end, curve);
+  return side != Sign::zero && curve_side(point, curve) == side && ahead_of(end) != side;
+}
+
 PlaceOn place_on(const Arc& arc, const Vec2& point) {
-  const Vec2& centre = arc.curve.centre;
-  const Sign side = curve_side(point, arc.curve);
-  if (side == Sign::zero) return place_in_cone(arc, point);
+  if (curve_side(point, arc.curve) == Sign::zero) return place_in_cone(arc, point);
   if (arc.extent != Arc::Extent::between) return PlaceOn::outside;
-  // What joins an end e to the curve: from e on, towards the curve and no farther.
-  for (const Vec2& end : {arc.from, arc.to}) {
-    if (orientation(centre, end, point) != Sign::zero || curve_side(end, arc.curve) != side)
-      continue;
-    const Sign ahead = decide([&](const auto& number) {
-      const auto e = pair_of(number, end) - pair_of(number, centre);
-      return dot(pair_of(number, point) - pair_of(number, end), e);
-    });
-    const Sign before = decide([&](const auto& number) {
-      const auto e = pair_of(number, end) - pair_of(number, centre);
-      return dot(pair_of(number, point) - pair_of(number, centre), e);
-    });
-    if (before == Sign::positive && ahead != side) return PlaceOn::at_end;
-  }
-  return PlaceOn::outside;
+  const auto joins = [&](const Vec2& end) { return is_on_joint(arc.curve, end, point); };
+  return joins(arc.from) || joins(arc.to) ? PlaceOn::at_end : PlaceOn::outside;
 }
 
 HalfAxes half_axes(const Ellipse& curve) {
@@ -143,13 +144,20 @@ bool passes_near(const Arc& wall, const Vec2& point, const Vec2& reach) {
   return !curve_passes_far(wall.curve, point, reach) && !ends_before(wall, point, reach);
 }
 
+// When a ray meets what joins an end of an arc to its curve.
+static std::optional<HitTime> joint_met(const Arc& arc, const Ray& ray, const Vec2& end) {
+  if (is_on_joint(arc.curve, end, ray.origin)) return HitTime::abreast(ray, ray.origin);
+  const auto time = hit_joint(ray, arc.curve, end);
+  return time && time->sign() != Sign::negative ? time : std::nullopt;
+}
+
 void meet(const Arc& wall, const Ray& ray, const MeetingRules& rules,
           std::vector<WallMeeting>& met) {
   if (surely_missed(ray, wall.curve.centre, reach_of(wall))) return;
   const bool whole = wall.extent == Arc::Extent::whole;
   if (wall.extent == Arc::Extent::between)
     for (const Vec2& end : {wall.from, wall.to})
-      if (const auto time = hit_joint(ray, wall.curve, end))
+      if (const auto time = joint_met(wall, ray, end))
         met.push_back({*time, HitClass::touch, Root::none, true});
   const auto hit = hit_curve(ray, wall.curve);
   if (!hit) return;
@@ -181,7 +189,7 @@ bool is_crossed(const Arc& wall, const Ray& ray) {
 Vec2 end_met(const Arc& arc, const Ray& ray, Root root) {
   const Vec2& centre = arc.curve.centre;
   if (root == Root::none) {
-    const auto from = hit_joint(ray, arc.curve, arc.from), to = hit_joint(ray, arc.curve, arc.to);
+    const auto from = joint_met(arc, ray, arc.from), to = joint_met(arc, ray, arc.to);
     return from && (!to || compare(*from, *to) <= 0) ? arc.from : arc.to;
   }
   const ExactHit exact(ray, arc, root);

@@ -18,7 +18,7 @@ struct Ellipse {
   Ellipse(const Circle& circle) : centre(circle.centre), u(circle.radius, 0), v(0, circle.radius) {}
 
   /// Whether it is the circle of radius u.x(), as a Circle makes it.
-  bool is_circle() const { return u.y() == 0 && v.x() == 0 && u.x() == v.y(); }
+  bool is_circle() const { return u.y() == 0 && v.x() == 0 && u.x() == v.y() && u.x() >= 0; }
 };
 
 /// A wall along an ellipse, or along the part of it in a closed cone at its centre.
@@ -142,6 +142,9 @@ auto curve_point(const Make& number, const Ray& ray, const Ellipse& curve, int s
 
 /// Side of a curve `point` lies on: positive outside, zero on it, negative inside. Exact.
 Sign curve_side(const Vec2& point, const Ellipse& curve);
+
+/// Whether a point is on what joins an end of an arc to the curve, without the point on the curve. Exact.
+bool is_on_joint(const Ellipse& curve, const Vec2& end, const Vec2& point);
 
 /// The place in the cone of an arc of a point given by where it lies: `turn(p, a, b)` is the sign of
 /// (b - a) x (point - p).

@@ -42,7 +42,10 @@ void straighten(ScanEdge& e, const Vec2& a, const Vec2& b, const Vec2& middle) {
   const double far = std::max(std::max(std::abs(e.x_top), std::abs(e.x_bottom)),
                               std::max(std::abs(e.y_top), std::abs(e.y_bottom)));
   const double dx = e.x_bottom - e.x_top, dy = e.y_bottom - e.y_top;
-  if (far > kNear) {
+  // Beside the film only that it is there counts.
+  const bool beside =
+      std::max(e.x_top, e.x_bottom) < 0 || std::min(e.x_top, e.x_bottom) > 2 * middle.x();
+  if (far > kNear && !beside) {
     anchor(e, middle);
   } else {
     if (dy != 0) e.slope = dx / dy;

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "base/utf8.h"
 #include "scene/reading/numbers.h"
@@ -67,18 +69,40 @@ class Writer {
  public:
   std::string text;
 
-  void document(const Value& root) {
-    std::vector<const Member*> sections;
-    for (const Member& member : root.members) {
-      if (is_tables(member.value) || (is_filled_table(member.value) && !fits(member)))
-        sections.push_back(&member);
+  // Tables of several kinds by turns, as they are in the text: what is drawn covers what is before it.
+  void document(const SceneDesc& desc) {
+    std::vector<Section> sections;
+    for (const Member& member : desc.root.members) {
+      if (is_tables(member.value))
+        sections.push_back({&member, member.value.items, true});
+      else if (is_filled_table(member.value) && !fits(member))
+        sections.push_back({&member, {&member.value, 1}, false});
       else
         line(member);
     }
-    for (const Member* section : sections) member_section(key_text(section->key), section->value);
+    const auto place = [&](const Section& section) {
+      const Place& where = section.left.front().where;
+      const auto known = std::ranges::find(desc.sources, where.source);
+      return std::pair(known == desc.sources.end() ? 0 : known - desc.sources.begin(),
+                       where.offset);
+    };
+    while (!sections.empty()) {
+      const auto next = std::ranges::min_element(sections, {}, place);
+      const std::string path = key_text(next->member->key);
+      section(next->is_array ? "[[" + path + "]]" : "[" + path + "]", path, next->left.front(),
+              next->is_array);
+      next->left = next->left.subspan(1);
+      if (next->left.empty()) sections.erase(next);
+    }
   }
 
  private:
+  struct Section {
+    const Member* member;
+    std::span<const Value> left;  ///< its tables that are not yet written
+    bool is_array;
+  };
+
   static bool is_filled_table(const Value& value) {
     return value.kind == Value::Kind::table && !value.members.empty();
   }
@@ -195,7 +219,7 @@ std::string shortest_number(std::string_view literal) {
 
 std::string write_toml(const SceneDesc& desc) {
   Writer writer;
-  writer.document(desc.root);
+  writer.document(desc);
   return std::move(writer.text);
 }
 

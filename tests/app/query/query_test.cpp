@@ -157,10 +157,35 @@ TEST(Query, ArcsThatAreNoneAreRefused) {
       {R"({"center":[0,0],"radius":1,"from":0,"to":361})", "do not span part of a turn"},
       {R"({"center":[0,0],"radius":-1,"towards":[1,0]})", "radius: is not a number of 0 or more"},
       {R"({"center":[0,0],"radius":1,"towards":[1,0],"to":9})", "not both"},
-      {R"({"center":[1,0],"radius":1e-30,"from":0,"to":9})", "do not tell its ends apart"},
+      {R"({"center":[1,0],"radius":1e-30,"from":0,"to":9})", "do not tell their directions apart"},
+      {R"({"center":[1e9,0],"radius":1,"from":89.999999,"to":90})", "directions apart"},
   };
   for (const auto& [arc, message] : cases)
     EXPECT_NE(refused(arc).find(message), std::string::npos) << refused(arc);
+}
+
+// Its doubles are off the circle: a ray from the centre to one of them has the other behind it.
+TEST(Query, OfTheEndsOfAnArcTheOneAheadIsMet) {
+  EXPECT_EQ(answer(R"({"op":"nearest","walls":[{"arc":{"center":[-2,0],"radius":0.2,"from":0,)"
+                   R"("to":180}}],"origin":[-2,0],"direction":[1,0]})"),
+            R"({"wall":0,"t":0.19999999999999996,"point":[-1.8,0],"class":"touch"})");
+}
+
+// From (1e16, 0.866) to (1e16, 1), on the line to the centre.
+TEST(Query, ARayThatStartsOnWhatJoinsAnArcToItsEndIsThereAtOnce) {
+  for (const char* direction : {"[0,0]", "[1,0]", "[0,1]", "[0,-1]"}) {
+    const std::string met = answer(
+        std::string(R"({"op":"nearest","walls":[{"arc":{"center":[1e16,0],"radius":1,"from":60,)") +
+        R"("to":200}}],"origin":[1e16,0.95],"direction":)" + direction + "}");
+    EXPECT_EQ(met.find(R"({"wall":0,"t":0,)"), 0U) << direction << met;
+  }
+}
+
+TEST(Query, APointBeyondTheDoublesIsTheLast) {
+  const std::string met =
+      answer(R"({"op":"nearest","walls":[{"circle":{"center":[1.7e308,0],"radius":1.7e308}}],)"
+             R"("origin":[1.7e308,1e307],"direction":[1,0]})");
+  EXPECT_NE(met.find(R"("point":[1.7976931348623157e+308,1e+307])"), std::string::npos) << met;
 }
 
 TEST(Query, ATangentTouchesAtTheFootOfThePerpendicular) {
