@@ -148,7 +148,8 @@ Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::s
                                   std::uint64_t max_pixels) {
   ChunkReader reader(bytes, name);
   if (!reader.starts_as_png())
-    return reader.wrong("is not a PNG", "pictures are read as PNG, and light by the names .hdr and .pfm");
+    return reader.wrong("is not a PNG",
+                        "pictures are read as PNG, and light by the names .hdr and .pfm");
   FLATRAY_TRY(chunk, reader.next());
   Result<PngHeader> png = header(reader, *chunk, max_pixels);
   std::string before;

@@ -36,6 +36,7 @@ shape = { box = { min = [2, 1], max = [3, 5.7] } }
 fill = "#0000ff"
 [[ray]]
 at = [1, 3]
+direction = [1, 0]
 stroke = { width = 1, colour = "#ff0000" }
 [[entity]]
 shape = { box = { min = [2.5, 1.5], max = [5, 5] } }
