@@ -226,6 +226,7 @@ TEST(Materials, OfGlassHaveATintWhereTheyAbsorb) {
 
 TEST(Materials, SayWhatIsWrong) {
   expect_problem(with_material("'glass'"), "entity.material 'glass' has numbers of its own");
+  expect_problem(with_material("'glas'"), "did you mean 'glass'?");
   expect_problem(with_material("{ wood = {} }"), "unknown material 'wood'");
   expect_problem(with_material("{ mirror = { reflectance = 1.5 } }"),
                  "material.mirror.reflectance is 1.5, not between 0 and 1");
