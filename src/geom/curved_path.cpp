@@ -40,7 +40,7 @@ class Line {
     touch_vertex(edge.from, edge.number);
     touch_vertex(edge.to, edge.number);
     if (!edge.arc) return cross_edge(edge.from, edge.to, edge.number, true);
-    if (edge.arc->extent == Arc::Extent::between) {
+    if (edge.from != edge.to) {  // a whole curve, too, whose ends doubles do not tell apart
       const Vec2& centre = edge.arc->curve.centre;
       cross_edge(edge.from, centre, edge.number, false);
       cross_edge(centre, edge.to, edge.number, false);
@@ -153,8 +153,10 @@ class Line {
   // tangents and joints, of an open one all.
   void touch_arc(const Arc& arc, int edge, bool tangents_alone) {
     if (arc.extent == Arc::Extent::between)
-      for (const Vec2& end : {arc.from, arc.to})
+      for (const Vec2& end : {arc.from, arc.to}) {
         if (const auto t = hit_joint(ray_, arc.curve, end)) touch(*t, edge);
+        if (is_on_joint(arc.curve, end, ray_.origin)) touch(abreast(ray_.origin), edge);
+      }
     const auto met = hit_curve(ray_, arc.curve);
     if (!met || (tangents_alone && !met->tangent)) return;
     for (const auto root : {Root::first, Root::second})

@@ -198,6 +198,7 @@ struct Course {
     std::vector<CourseHit<Number>> met = meet_curve(arc.curve, stood_on);
     if (arc.extent == Arc::Extent::whole) return met;
     for (CourseHit<Number>& meeting : met) limit_to(arc, meeting);
+    if (!stood_on) met.push_back(touch_in_end(arc));
     if (arc.extent == Arc::Extent::between)
       for (const Vec2& end : {arc.from, arc.to}) met.push_back(meet_joint(arc.curve, end));
     return met;
@@ -223,6 +224,16 @@ struct Course {
     if (half.sign() == Sign::negative) half = -half;  // where u x v < 0
     return {ahead_at(middle - half, WallPart::first_root),
             ahead_at(middle + half, WallPart::second_root)};
+  }
+
+  // A tangent is passed by, but in an end of an arc.
+  CourseHit<Number> touch_in_end(const Arc& arc) const {
+    const Chord chord = this->chord(arc.curve);
+    if (chord.square.sign() != Sign::zero) return {Met::no};
+    CourseHit<Number> touch = ahead_at(place_of(arc.curve.centre) + chord.middle);
+    limit_to(arc, touch);
+    if (touch.met == Met::between) touch.met = Met::no;
+    return touch;
   }
 
   // A place on a curve that another wall stands on, or the start, may be here.

@@ -42,10 +42,29 @@ stroke = { width = 1, colour = "#ff0000" }
 shape = { box = { min = [2.5, 1.5], max = [5, 5] } }
 fill = "#00ff00"
 TOML
-run 0 convert turns.toml turned.toml
-run 0 render turns.toml -o turns.png -q
-run 0 render turned.toml -o turned.png -q
-run 0 compare turns.png turned.png
+cat > contact.toml << 'TOML'
+flatray = 1
+frames = 41
+film = { size = [60, 60], world = [[0, 0], [6, 6]] }
+[[entity]]
+shape = { box = { min = [0, 0], max = [1, 1] } }
+velocity = [1, 0]
+fill = "#0000ff"
+[[entity]]
+shape = { box = { min = [2.5, 0], max = [4, 4] } }
+fill = "#00ff00"
+layer = 1
+[collisions]
+response = "stop"
+points = "#ff0000"
+TOML
+for scene in turns contact; do
+  frame=$([[ $scene == turns ]] && echo 1 || echo 41)
+  run 0 convert $scene.toml ${scene}_again.toml
+  run 0 render $scene.toml -f "$frame" -o $scene.png -q
+  run 0 render ${scene}_again.toml -f "$frame" -o ${scene}_again.png -q
+  run 0 compare $scene.png ${scene}_again.png
+done
 
 # What the folder of the file means is kept, also on standard output, which is written from here.
 scene plain.toml 1

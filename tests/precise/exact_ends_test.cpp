@@ -36,6 +36,21 @@ TEST(CertifiedOrbit, AWallOnTheRaysLineIsMetAtTheEndThatIsNearer) {
     }
 }
 
+// y = 1 touches three quarters of the unit circle in the end (0, 1), and the other way in nothing but it.
+TEST(CertifiedOrbit, AnArcIsMetInTheEndWhereTheRayTouchesIt) {
+  Surfaces walls;
+  walls.add(Arc{Circle{{0, 0}, 1}, Arc::Extent::between, {0, 1}, {1, 0}});
+  for (const double way : {1.0, -1.0}) {
+    const auto orbit = certified_orbit(walls, {{-way, 1}, {way, 0}}, 4);
+    ASSERT_TRUE(orbit && orbit->decided);
+    EXPECT_EQ(orbit->end, OrbitEnd::corner);
+    EXPECT_EQ(orbit->end_point, Vec2(0, 1));
+  }
+  const auto beside = certified_orbit(walls, {{-1, -1}, {0, 1}}, 4);  // x = -1, between the ends
+  ASSERT_TRUE(beside && beside->decided);
+  EXPECT_EQ(beside->end, OrbitEnd::escape);
+}
+
 TEST(CertifiedOrbit, AWallOnTheRaysLineIsMetBeforeOneThatCrossesIt) {
   for (const bool turned : {false, true}) {
     Surfaces walls;

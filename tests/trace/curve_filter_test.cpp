@@ -44,6 +44,27 @@ TEST(CurveFilter, IsNeverSureOfATangent) {
     }
 }
 
+// What is told of a ray is what the exact meeting says. Gives whether anything is told.
+template <class Wall>
+bool tells_what_is_true(const Ray& ray, const Wall& wall, Root left) {
+  const FilteredCurve filtered = filter_curve(ray, wall, left);
+  std::vector<WallMeeting> met;
+  meet(wall, ray, {left, true, true}, met);
+  std::erase_if(met, [](const WallMeeting& one) { return one.time.sign() == Sign::negative; });
+  std::ranges::sort(
+      met, [](const WallMeeting& a, const WallMeeting& b) { return compare(a.time, b.time) < 0; });
+  if (filtered.verdict == Verdict::open) return false;
+  EXPECT_EQ(filtered.verdict == Verdict::missed, met.empty());
+  if (met.empty() || filtered.verdict == Verdict::missed) return true;
+  const WallMeeting& first = met.front();
+  EXPECT_EQ(filtered.root, first.root);
+  EXPECT_EQ(first.kind, HitClass::through);
+  EXPECT_FALSE(first.at_end);
+  EXPECT_LE(filtered.low, first.time.nearest().t);
+  EXPECT_GE(filtered.high, first.time.nearest().t);
+  return true;
+}
+
 // Of arcs whose ends lie on their circle, beside it by an ulp, and by a tenth: what is told of rays that have
 // left the arc or not is what the exact meeting says, and nearly all is told where ends are close to it.
 TEST(CurveFilter, TellsOfPartsOfCurvesWhatIsTrue) {
@@ -63,29 +84,38 @@ TEST(CurveFilter, TellsOfPartsOfCurvesWhatIsTrue) {
     Ray ray{6 * draws.point() - Vec2(3, 3), 2 * draws.point() - Vec2(1, 1)};
     if (i % 11 == 0) ray.direction = arc.from - ray.origin;
     const Root left = i % 3 == 0 ? Root::first : i % 3 == 1 ? Root::second : Root::none;
-    const FilteredCurve filtered = filter_curve(ray, arc, left);
-    std::vector<WallMeeting> met;
-    meet(arc, ray, {left, true, true}, met);
-    std::erase_if(met, [](const WallMeeting& one) { return one.time.sign() == Sign::negative; });
-    std::ranges::sort(met, [](const WallMeeting& a, const WallMeeting& b) {
-      return compare(a.time, b.time) < 0;
-    });
-    if (filtered.verdict == Verdict::missed) {
-      ASSERT_TRUE(met.empty()) << i;
-    } else if (!met.empty()) {
-      ASSERT_LE(filtered.low, met.front().time.nearest().t) << i;
-    }
-    if (filtered.verdict == Verdict::sure) {
-      ASSERT_FALSE(met.empty()) << i;
-      ASSERT_EQ(filtered.root, met.front().root) << i;
-      ASSERT_FALSE(met.front().at_end) << i;
-      ASSERT_GE(filtered.high, met.front().time.nearest().t) << i;
-    }
+    const bool tells = tells_what_is_true(ray, arc, left);
+    ASSERT_FALSE(HasFailure()) << i;
     if (std::fabs(off) > 0.01 || i % 11 == 0) continue;
     ++close;
-    told += filtered.verdict != Verdict::open ? 1 : 0;
+    told += tells ? 1 : 0;
   }
   EXPECT_GT(told, 0.999 * close);
+}
+
+// Parabolas, cubic curves and loops; rays from beside them, and from a double next to them that have left them; to any
+// side, and at their ends and where they cross themselves, of which nothing may be told.
+TEST(CurveFilter, TellsOfBezierCurvesWhatIsTrue) {
+  Draws draws(3);
+  int told = 0, others = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto point = [&] { return Vec2(4 * draws.point() - Vec2(2, 2)); };
+    Bezier curve(point(), point(), point(), point());
+    if (i % 3 == 1) curve = Bezier(point(), point(), point());
+    if (i % 3 == 2) curve = Bezier(Vec2(-18, 12), Vec2(26, -4), Vec2(-26, -4), Vec2(18, 12));
+    const bool leaves = i % 4 == 1;
+    const Vec2 origin = leaves ? point_at(curve, draws.unit()) : Vec2(8 * point());
+    Ray ray{origin, point()};
+    if (i % 11 == 0) ray.direction = curve.end() - origin;
+    if (i % 11 == 1) ray.direction = Vec2(0, 3) - origin;
+    if (ray.direction == Vec2(0, 0)) continue;
+    const bool tells = tells_what_is_true(ray, curve, leaves ? Root::first : Root::none);
+    ASSERT_FALSE(HasFailure()) << i;
+    if (i % 11 < 2 || leaves) continue;
+    ++others;
+    told += tells ? 1 : 0;
+  }
+  EXPECT_GT(told, 0.999 * others);
 }
 
 }  // namespace

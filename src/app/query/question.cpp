@@ -203,9 +203,9 @@ void Question::read_degrees(const Part& arc, const Circle& circle, Surfaces& wal
   const Vec2 last = circle.centre + circle.radius * unit_at_degrees(to);
   if (!first.allFinite() || !last.allFinite()) return mistake(arc.where, "ends beyond the doubles");
   if (lie_in_one_direction(circle.centre, first, last))
-    return mistake(
-        arc.where,
-        "has ends so near to one another that doubles do not tell their directions apart");
+    return mistake(arc.where,
+                   "has ends so near to one another, or to its centre, that doubles do not tell "
+                   "their directions apart");
   walls.add(Arc{circle, Arc::Extent::between, first, last});
 }
 

@@ -144,12 +144,16 @@ bool passes_near(const Arc& wall, const Vec2& point, const Vec2& reach) {
   return !curve_passes_far(wall.curve, point, reach) && !ends_before(wall, point, reach);
 }
 
+namespace {
+
 // When a ray meets what joins an end of an arc to its curve.
-static std::optional<HitTime> joint_met(const Arc& arc, const Ray& ray, const Vec2& end) {
+std::optional<HitTime> joint_met(const Arc& arc, const Ray& ray, const Vec2& end) {
   if (is_on_joint(arc.curve, end, ray.origin)) return HitTime::abreast(ray, ray.origin);
   const auto time = hit_joint(ray, arc.curve, end);
   return time && time->sign() != Sign::negative ? time : std::nullopt;
 }
+
+}  // namespace
 
 void meet(const Arc& wall, const Ray& ray, const MeetingRules& rules,
           std::vector<WallMeeting>& met) {
@@ -189,6 +193,8 @@ bool is_crossed(const Arc& wall, const Ray& ray) {
 Vec2 end_met(const Arc& arc, const Ray& ray, Root root) {
   const Vec2& centre = arc.curve.centre;
   if (root == Root::none) {
+    for (const Vec2& end : {arc.from, arc.to})
+      if (is_on_joint(arc.curve, end, ray.origin)) return ray.origin;
     const auto from = joint_met(arc, ray, arc.from), to = joint_met(arc, ray, arc.to);
     return from && (!to || compare(*from, *to) <= 0) ? arc.from : arc.to;
   }

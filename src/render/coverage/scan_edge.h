@@ -34,7 +34,7 @@ struct EdgeCurve {
 /// from its upper to its lower end (of a level edge: from the left to the right one).
 ///
 /// Units   film pixels, y down.
-/// Error   of straight edges 2^-50 of the coordinates within 2^16 pixels of the film; of longer ones,
+/// Error   of straight edges 2^-50 of the coordinates within 2^16 pixels of the film, and beside it; of longer ones,
 ///         which are anchored near the film, of the film's size. Of curves 2^-48 of the sizes of
 ///         centre, u and v, measured across the edge.
 struct ScanEdge {

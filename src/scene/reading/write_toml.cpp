@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -74,33 +75,32 @@ class Writer {
     std::vector<Section> sections;
     for (const Member& member : desc.root.members) {
       if (is_tables(member.value))
-        sections.push_back({&member, member.value.items, true});
-      else if (is_filled_table(member.value) && !fits(member))
-        sections.push_back({&member, {&member.value, 1}, false});
+        sections.push_back({&member, member.value.items});
+      else if (is_filled_table(member.value) && (!fits(member) || !sections.empty()))
+        sections.push_back({&member, {&member.value, 1}});
       else
         line(member);
     }
+    std::map<const SourceText*, std::size_t> files;
+    for (const SourcePtr& source : desc.sources) files.emplace(source.get(), files.size());
     const auto place = [&](const Section& section) {
-      const Place& where = section.left.front().where;
-      const auto known = std::ranges::find(desc.sources, where.source);
-      return std::pair(known == desc.sources.end() ? 0 : known - desc.sources.begin(),
-                       where.offset);
+      const Place& where = section.waiting.front().where;
+      const auto file = files.find(where.source.get());
+      return std::pair(file == files.end() ? 0 : file->second, where.offset);
     };
     while (!sections.empty()) {
       const auto next = std::ranges::min_element(sections, {}, place);
-      const std::string path = key_text(next->member->key);
-      section(next->is_array ? "[[" + path + "]]" : "[" + path + "]", path, next->left.front(),
-              next->is_array);
-      next->left = next->left.subspan(1);
-      if (next->left.empty()) sections.erase(next);
+      member_section(key_text(next->member->key), next->waiting.front(),
+                     is_tables(next->member->value));
+      next->waiting = next->waiting.subspan(1);
+      if (next->waiting.empty()) sections.erase(next);
     }
   }
 
  private:
   struct Section {
     const Member* member;
-    std::span<const Value> left;  ///< its tables that are not yet written
-    bool is_array;
+    std::span<const Value> waiting;  ///< its tables that are not yet written
   };
 
   static bool is_filled_table(const Value& value) {
@@ -120,9 +120,12 @@ class Writer {
     text += begin + broken(member.value, begin.size(), 0) + "\n";
   }
 
-  void member_section(const std::string& path, const Value& value) {
-    if (value.kind == Value::Kind::table) return section("[" + path + "]", path, value, false);
-    for (const Value& item : value.items) section("[[" + path + "]]", path, item, true);
+  void member_section(const std::string& path, const Value& table, bool is_item) {
+    section(is_item ? "[[" + path + "]]" : "[" + path + "]", path, table, is_item);
+  }
+  void member_sections(const std::string& path, const Value& value) {
+    if (value.kind == Value::Kind::table) return member_section(path, value, false);
+    for (const Value& item : value.items) member_section(path, item, true);
   }
 
   // Members keep their order: only those at the end may have headers of their own.
@@ -140,7 +143,7 @@ class Writer {
     first = std::find_if(first, table.members.end(), needs_header);
     for (auto member = table.members.begin(); member != first; ++member) line(*member);
     for (auto member = first; member != table.members.end(); ++member)
-      member_section(path + "." + key_text(member->key), member->value);
+      member_sections(path + "." + key_text(member->key), member->value);
   }
 
   static std::string flat(const Value& value) {

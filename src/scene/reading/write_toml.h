@@ -6,8 +6,8 @@
 namespace flatray {
 
 /// A description as TOML that reads back as the same description: the same tables, keys and
-/// entries in the same order, tables of several kinds by turns as they were (but that single values
-/// of the file come before its tables), the same strings, the same decimals. Numbers are the
+/// entries in the same order, tables of several kinds by turns as they were (but that single values,
+/// and short tables before all lists of tables, come first), the same strings, the same decimals. Numbers are the
 /// shortest way to write their decimal, hexadecimal and underscores gone. Comments are not part of a
 /// description.
 ///
