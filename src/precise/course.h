@@ -195,17 +195,21 @@ struct Course {
   }
 
   std::vector<CourseHit<Number>> meet(const Arc& arc, bool stood_on) const {
-    std::vector<CourseHit<Number>> met = meet_curve(arc.curve, stood_on);
-    if (arc.extent == Arc::Extent::whole) return met;
+    const bool whole = arc.extent == Arc::Extent::whole;
+    std::vector<CourseHit<Number>> met = meet_curve(arc.curve, stood_on, !whole);
+    if (whole) return met;
     for (CourseHit<Number>& meeting : met) limit_to(arc, meeting);
-    if (!stood_on) met.push_back(touch_in_end(arc));
+    // Nothing but a tangent is neither root: it is passed by, but in an end.
+    for (CourseHit<Number>& meeting : met)
+      if (meeting.part == WallPart::other && meeting.met == Met::between) meeting.met = Met::no;
     if (arc.extent == Arc::Extent::between)
       for (const Vec2& end : {arc.from, arc.to}) met.push_back(meet_joint(arc.curve, end));
     return met;
   }
 
-  // The whole curve.
-  std::vector<CourseHit<Number>> meet_curve(const Ellipse& curve, bool stood_on) const {
+  // The whole curve; of tangents only where they touch is told, and that only if `tangents`.
+  std::vector<CourseHit<Number>> meet_curve(const Ellipse& curve, bool stood_on,
+                                            bool tangents) const {
     const Chord chord = this->chord(curve);
     const Number middle = place_of(curve.centre) + chord.middle;
     if (stood_on) {
@@ -215,7 +219,8 @@ struct Course {
       return {{Met::between, middle + middle - here, WallPart::second_root}};
     }
     const auto reached = chord.square.sign();
-    if (reached == Sign::negative || reached == Sign::zero) return {};
+    if (reached == Sign::negative || (reached == Sign::zero && !tangents)) return {};
+    if (reached == Sign::zero) return {ahead_at(middle)};
     if (!reached) {  // just met or missed: where, if at all
       const CourseHit<Number> near = ahead_at(middle + chord.scale * either_root(chord.square));
       return {{near.met == Met::no ? Met::no : Met::open, near.place}};
@@ -224,16 +229,6 @@ struct Course {
     if (half.sign() == Sign::negative) half = -half;  // where u x v < 0
     return {ahead_at(middle - half, WallPart::first_root),
             ahead_at(middle + half, WallPart::second_root)};
-  }
-
-  // A tangent is passed by, but in an end of an arc.
-  CourseHit<Number> touch_in_end(const Arc& arc) const {
-    const Chord chord = this->chord(arc.curve);
-    if (chord.square.sign() != Sign::zero) return {Met::no};
-    CourseHit<Number> touch = ahead_at(place_of(arc.curve.centre) + chord.middle);
-    limit_to(arc, touch);
-    if (touch.met == Met::between) touch.met = Met::no;
-    return touch;
   }
 
   // A place on a curve that another wall stands on, or the start, may be here.

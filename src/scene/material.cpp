@@ -109,24 +109,23 @@ std::optional<ReadMaterial> read_material(Builder& builder, const Field& field,
                                           std::span<const Word<Material>> words) {
   if (field.value.kind != Value::Kind::table) {
     const std::string& text = field.value.text;
-    std::vector<std::string> known;
-    for (const auto& [word, material] : words) known.emplace_back(word);
-    const auto is_known = [&](std::string_view name) {
-      return std::ranges::find(known, name) != known.end();
-    };
-    const bool is_word = is_known(text);
-    for (const auto* type : material_types())
-      if (!is_known(type->name)) known.emplace_back(type->name);
-    if (field.value.kind != Value::Kind::string || is_word) {
+    const auto is_word = [&](const auto& word) { return word.first == text; };
+    const auto is_type = [&](const auto* type) { return type->name == text; };
+    if (field.value.kind != Value::Kind::string || std::ranges::any_of(words, is_word)) {
       const auto material = builder.in.word<Material>(field, words);
       return material ? std::optional(ReadMaterial{*material}) : std::nullopt;
     }
-    if (is_known(text))
+    if (std::ranges::any_of(material_types(), is_type)) {
       builder.in.problem(field.value.where,
                          fmt::format("{} '{}' has numbers of its own", field.name, text),
                          fmt::format("write {{ {} = {{}} }}", text));
-    else
-      builder.in.problems.push_back(unknown_word(field.value.where, field.name, text, known));
+      return std::nullopt;
+    }
+    std::vector<std::string> known;
+    for (const auto& [word, material] : words) known.emplace_back(word);
+    for (const auto* type : material_types())
+      if (std::ranges::find(known, type->name) == known.end()) known.emplace_back(type->name);
+    builder.in.problems.push_back(unknown_word(field.value.where, field.name, text, known));
     return std::nullopt;
   }
   const auto known = builder.fixed_scatterers.find(&field.value);

@@ -64,11 +64,9 @@ Vec2 touched(const Ray& ray, const Ellipse& curve) {
 }  // namespace
 
 Sign curve_side(const Vec2& point, const Ellipse& curve) {
-  const auto power = [&](const auto& number) {
+  return decide([&](const auto& number) {
     return curve_power(number, curve, pair_of(number, point) - pair_of(number, curve.centre));
-  };
-  if (const auto sure = power(kNear).sign()) return *sure;
-  return decide(power);
+  });
 }
 
 // By their centres and by u u' + v v', which no change of conjugate half-diameters moves.

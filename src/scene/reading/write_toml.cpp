@@ -90,8 +90,7 @@ class Writer {
     };
     while (!sections.empty()) {
       const auto next = std::ranges::min_element(sections, {}, place);
-      member_section(key_text(next->member->key), next->waiting.front(),
-                     is_tables(next->member->value));
+      section(key_text(next->member->key), next->waiting.front(), is_tables(next->member->value));
       next->waiting = next->waiting.subspan(1);
       if (next->waiting.empty()) sections.erase(next);
     }
@@ -120,18 +119,15 @@ class Writer {
     text += begin + broken(member.value, begin.size(), 0) + "\n";
   }
 
-  void member_section(const std::string& path, const Value& table, bool is_item) {
-    section(is_item ? "[[" + path + "]]" : "[" + path + "]", path, table, is_item);
-  }
-  void member_sections(const std::string& path, const Value& value) {
-    if (value.kind == Value::Kind::table) return member_section(path, value, false);
-    for (const Value& item : value.items) member_section(path, item, true);
+  void member_section(const std::string& path, const Value& value) {
+    if (value.kind == Value::Kind::table) return section(path, value, false);
+    for (const Value& item : value.items) section(path, item, true);
   }
 
   // Members keep their order: only those at the end may have headers of their own.
-  void section(const std::string& header, const std::string& path, const Value& table,
-               bool is_item) {
-    text += (text.empty() ? "" : "\n") + header + "\n";
+  void section(const std::string& path, const Value& table, bool is_item) {
+    text += text.empty() ? "" : "\n";
+    text += is_item ? "[[" + path + "]]\n" : "[" + path + "]\n";
     const auto needs_header = [&](const Member& member) {
       return (is_item && is_tables(member.value)) ||
              (is_filled_table(member.value) && !fits(member));
@@ -143,7 +139,7 @@ class Writer {
     first = std::find_if(first, table.members.end(), needs_header);
     for (auto member = table.members.begin(); member != first; ++member) line(*member);
     for (auto member = first; member != table.members.end(); ++member)
-      member_sections(path + "." + key_text(member->key), member->value);
+      member_section(path + "." + key_text(member->key), member->value);
   }
 
   static std::string flat(const Value& value) {

@@ -7,9 +7,9 @@ namespace flatray {
 
 /// A description as TOML that reads back as the same description: the same tables, keys and
 /// entries in the same order, tables of several kinds by turns as they were (but that single values,
-/// and short tables before all lists of tables, come first), the same strings, the same decimals. Numbers are the
-/// shortest way to write their decimal, hexadecimal and underscores gone. Comments are not part of a
-/// description.
+/// and short tables before all lists of tables, come first), the same strings, the same decimals.
+/// Numbers are the shortest way to write their decimal, hexadecimal and underscores gone. Comments
+/// are not part of a description.
 ///
 /// Gives   lines of about 100 columns where the content allows it; written again, the same bytes.
 /// Cost    linear in the values times their nesting.
