@@ -191,9 +191,10 @@ int BandScan::pass(const RowCut& cut, int winding) {
 // Those that lie in one column are taken together.
 void BandScan::take_columns(const std::vector<RowCut>& cuts) {
   entries_.clear();
-  for (std::uint32_t i = 0; i < cuts.size(); ++i)
+  for (std::size_t i = 0; i < cuts.size(); ++i)
     for (int column = cuts[i].low; column <= std::max(cuts[i].low, cuts[i].high); ++column)
-      entries_.push_back({column, i});
+      entries_.push_back(static_cast<std::uint64_t>(column) << 32 | i);
+  const auto column_of = [](std::uint64_t entry) { return static_cast<int>(entry >> 32); };
   const auto wind = [this](const RowCut& cut) {
     for (int ray = cut.ray_begin; ray < cut.ray_end; ++ray)
       windings_[static_cast<std::size_t>(ray)] += cut.edge->direction;
@@ -201,11 +202,11 @@ void BandScan::take_columns(const std::vector<RowCut>& cuts) {
   int from = box_.x;
   std::sort(entries_.begin(), entries_.end());
   for (auto next = entries_.begin(); next != entries_.end();) {
-    const int column = next->column;
+    const int column = column_of(*next);
     cover(std::exchange(from, column), column);
     here_.clear();
-    for (; next != entries_.end() && next->column == column; ++next) {
-      const RowCut& cut = cuts[next->cut];
+    for (; next != entries_.end() && column_of(*next) == column; ++next) {
+      const RowCut& cut = cuts[static_cast<std::uint32_t>(*next)];
       if (cut.high < cut.low)
         wind(cut);
       else

@@ -74,11 +74,6 @@ class BandScan {
     std::uint64_t waits = 0;    ///< has parts
     std::uint64_t shines = 0;   ///< has covers through which one sees
   };
-  struct Entry {
-    std::int32_t column;
-    std::uint32_t cut;
-    auto operator<=>(const Entry&) const = default;
-  };
   /// An item of which a pixel has a part, or that covers it along some rays.
   struct Shown {
     std::uint32_t seen;
@@ -148,7 +143,7 @@ class BandScan {
   std::uint32_t item_ = 0;  ///< that is taken
   /// Of it, along the row's upper border or each ray, from column to column; else 0.
   std::vector<int> windings_;
-  std::vector<Entry> entries_;
+  std::vector<std::uint64_t> entries_;  ///< a column's number, then a cut's, as one number
   std::vector<const RowCut*> here_;
 
   std::vector<Cover> active_;  ///< at the pixel that is drawn, from the lowest up

@@ -57,11 +57,16 @@ Light ItemLook::at(int x, int y, int film_width) const {
 }
 
 void SeenItems::place_all() {
-  inside_.assign((items.size() + 63) / 64, 0);
-  opaque_ = inside_;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (items[i].covered()) set(i, true);
-    if (items[i].look->opaque) opaque_[i / 64] |= std::uint64_t{1} << (i % 64);
+  const std::size_t words = (items.size() + 63) / 64;
+  inside_.resize(words), opaque_.resize(words);
+  for (std::size_t word = 0; word < words; ++word) {
+    const std::size_t first = 64 * word, count = std::min<std::size_t>(items.size() - first, 64);
+    std::uint64_t inside = 0, opaque = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      inside |= std::uint64_t{items[first + i].covered()} << i;
+      opaque |= std::uint64_t{items[first + i].look->opaque} << i;
+    }
+    inside_[word] = inside, opaque_[word] = opaque;
   }
 }
 
