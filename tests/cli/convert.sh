@@ -65,6 +65,18 @@ for scene in turns contact; do
   run 0 render ${scene}_again.toml -f "$frame" -o ${scene}_again.png -q
   run 0 compare $scene.png ${scene}_again.png
 done
+# So do options: what they replace keeps its place, what is new comes last.
+replaced=(-D 'ray.0={ at=[1, 3], direction=[1, 0], stroke={ width=1, colour="#ff0000" } }')
+run 0 render turns.toml "${replaced[@]}" -o replaced.png -q
+run 0 compare turns.png replaced.png
+run 0 convert turns.toml replaced.toml "${replaced[@]}"
+cmp -s turns_again.toml replaced.toml || fail "an entry that an option replaces is written elsewhere"
+new=(-D 'ray=[]' -D 'chamber=[{ shape={ box={ min=[0, 0], max=[6, 6] } }, fill="#0000ff" }]')
+run 0 render turns.toml "${new[@]}" -o new.png -q
+run 0 convert turns.toml with_chamber.toml "${new[@]}"
+run 0 render with_chamber.toml -o new_again.png -q
+run 0 compare new.png new_again.png
+run 1 compare turns.png new.png
 
 # What the folder of the file means is kept, also on standard output, which is written from here.
 scene plain.toml 1

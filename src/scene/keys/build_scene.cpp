@@ -66,9 +66,8 @@ constexpr Key<Scene> kSceneKeys[] = {
 // Files in the order of their entries, what is in none of them last.
 void sort_by_source(Diagnostics& diagnostics, const Builder& builder) {
   const auto rank = [&](const Diagnostic& d) {
-    const auto known = builder.text_before.find(d.where.source.get());
-    const bool here = known != builder.text_before.end();
-    return std::tuple(!here, here ? known->second + d.where.offset : 0);
+    const bool here = builder.text_order.is_in_a_file(d.where);
+    return std::tuple(!here, here ? builder.text_order.at(d.where) : 0);
   };
   std::ranges::stable_sort(
       diagnostics, [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
@@ -86,11 +85,7 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
   builder.in.warnings = desc.warnings;
   builder.scene.seed = seed.value_or(0);
   builder.scene.max_corners = limits.max_corners;
-  std::uint64_t before = 0;
-  for (const SourcePtr& source : desc.sources) {
-    builder.text_before.emplace(source.get(), before);
-    before += source->text().size() + 1;
-  }
+  builder.text_order = TextOrder(desc);
   read_keys<Scene>(builder, desc.root, "scene", kSceneKeys, builder.scene);
   const Member* film = desc.root.find("film");
   if (!builder.scene.lamps.empty() && (film == nullptr || !film->value.find("background")))

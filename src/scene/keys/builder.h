@@ -11,9 +11,9 @@ struct Builder {
   Scene scene;
   Imports& imports;
   const LoadLimits& limits;
-  std::optional<std::uint64_t> seed;                         ///< instead of the scene's
-  std::map<const SourceText*, std::uint64_t> text_before{};  ///< bytes of the files before each
-  std::uint32_t entity_tables = 0;                           ///< read so far
+  std::optional<std::uint64_t> seed;  ///< instead of the scene's
+  TextOrder text_order{};
+  std::uint32_t entity_tables = 0;  ///< read so far
   /// Copies by the name in the file; a group without any stands in itself, which is told.
   std::map<std::string, std::vector<std::uint32_t>> groups{};
   std::vector<std::string> group_suffixes{};  ///< what copying added to the name of each group

@@ -168,9 +168,7 @@ void read_entities(Builder& builder, const Field& field, Scene&) {
 std::uint64_t draw_order(const Builder& builder, const Place& where, std::uint64_t number) {
   constexpr unsigned kCopyBits = 24;
   constexpr std::uint64_t kLastCopy = (std::uint64_t{1} << kCopyBits) - 1;
-  const auto known = builder.text_before.find(where.source.get());
-  const std::uint64_t before = known == builder.text_before.end() ? 0 : known->second;
-  return (before + where.offset) << kCopyBits | std::min(number, kLastCopy);
+  return builder.text_order.at(where) << kCopyBits | std::min(number, kLastCopy);
 }
 
 std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {

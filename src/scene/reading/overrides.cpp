@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "base/counted.h"
 #include "scene/reading/format.h"
@@ -62,16 +63,16 @@ Result<Value*> part(Value& whole, const Member& step) {
   return &whole.members.back().value;
 }
 
-// Follows the one chain of keys in `step` down `target` and puts its value there.
-Result<void> put(Value* target, const Member* step) {
+// Follows the one chain of keys in `step` down `target` and puts its value there. Gives where that
+// stood which it replaces.
+Result<Place> put(Value* target, const Member* step) {
   for (;;) {
     FLATRAY_TRY(next, part(*target, *step));
     target = *next;
     if (!is_part_of_key(step->value)) break;
     step = &step->value.members.front();
   }
-  *target = step->value;
-  return {};
+  return std::exchange(*target, step->value).where;
 }
 
 bool is_one_key(const Value& table) {
@@ -121,7 +122,11 @@ Result<void> apply_override(SceneDesc& desc, const Override& override_value) {
     parsed = fail(where, "this is not one key and one value", "write -D film.size=[640,360]",
                   Trouble::usage);
   if (!parsed) return fail(std::move(parsed));
-  return put(&desc.root, &parsed->root.members.front());
+  const Member& key = parsed->root.members.front();
+  FLATRAY_TRY(replaced, put(&desc.root, &key));
+  if (replaced->source != key.where.source)
+    desc.replaced.insert_or_assign(key.where.source.get(), *replaced);
+  return {};
 }
 
 bool is_override(const Place& place) {

@@ -73,4 +73,21 @@ Value array_value(Place where, std::vector<Value> items) {
   return {Value::Kind::array, std::move(where), {}, std::move(items), {}};
 }
 
+TextOrder::TextOrder(const SceneDesc& desc) : replaced_(desc.replaced) {
+  for (const SourcePtr& source : desc.sources) {
+    before_.emplace(source.get(), end_);
+    end_ += source->text().size() + 1;
+  }
+}
+
+std::uint64_t TextOrder::at(const Place& place) const {
+  const SourceText* const source = place.source.get();
+  if (source != nullptr && source->kind() == SourceText::Kind::option) {
+    const auto replaced = replaced_.find(source);
+    return replaced == replaced_.end() ? end_ : at(replaced->second);
+  }
+  const auto before = before_.find(source);
+  return place.offset + (before == before_.end() ? 0 : before->second);
+}
+
 }  // namespace flatray

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +54,23 @@ struct SceneDesc {
   Diagnostics warnings{};            ///< of the importer
   bool ends = false;                 ///< Scene::ends
   std::vector<SourcePtr> sources{};  ///< the files it is made of, in the order of their entries
+  /// By option, where that stood which its value replaced; none of what is new.
+  std::map<const SourceText*, Place> replaced{};
+};
+
+/// The order of what a scene's files hold: that of their text, files included first. What an option
+/// put there stands where what it replaced stood, or else after all.
+class TextOrder {
+ public:
+  TextOrder() = default;
+  explicit TextOrder(const SceneDesc& desc);
+  std::uint64_t at(const Place& place) const;
+  bool is_in_a_file(const Place& place) const { return before_.contains(place.source.get()); }
+
+ private:
+  std::map<const SourceText*, std::uint64_t> before_;  ///< bytes of the files before each
+  std::map<const SourceText*, Place> replaced_;
+  std::uint64_t end_ = 0;
 };
 
 }  // namespace flatray

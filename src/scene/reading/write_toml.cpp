@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 #include <span>
 #include <utility>
 
@@ -81,12 +80,9 @@ class Writer {
       else
         line(member);
     }
-    std::map<const SourceText*, std::size_t> files;
-    for (const SourcePtr& source : desc.sources) files.emplace(source.get(), files.size());
+    const TextOrder order(desc);
     const auto place = [&](const Section& section) {
-      const Place& where = section.waiting.front().where;
-      const auto file = files.find(where.source.get());
-      return std::pair(file == files.end() ? 0 : file->second, where.offset);
+      return order.at(section.waiting.front().where);
     };
     while (!sections.empty()) {
       const auto next = std::ranges::min_element(sections, {}, place);
