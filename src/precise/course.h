@@ -51,6 +51,12 @@ struct Course {
 
   Pair<Number> pair(const Vec2& v) const { return pair_of(make, v); }
 
+  // The line and the ray, moved.
+  void move(const Pair<Number>& by) {
+    moment = moment + cross(by, direction);
+    here = here + dot(by, direction);
+  }
+
   // As seen from `about`.
   Pair<Number> seen(const Vec2& point) const { return pair(point) - pair(about); }
 

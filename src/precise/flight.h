@@ -42,6 +42,8 @@ class Flight {
         point_(pair(start.origin)),
         first_entry_(point_) {
     for (const auto surface : ExactOrigins(walls).walls_at(start.origin)) departed_ = surface;
+    if (const auto* copy = periodic.find_copy(departed_); copy != nullptr && !stands_on(*copy))
+      departed_ = kNoSurface;
   }
 
   Prospect next() const {
@@ -81,8 +83,11 @@ class Flight {
 
   /// Goes on from a wall that the ray is known to meet next; false where Number cannot tell how.
   bool bounce(std::uint32_t surface) {
+    const auto* copy = periodic_.find_copy(surface);
     const bool known =
-        walls_.visit(surface, [&](const auto& wall) { return bounce_off(wall, surface); });
+        copy != nullptr
+            ? bounce_off(*copy)
+            : walls_.visit(surface, [&](const auto& wall) { return bounce_off(wall, surface); });
     departed_ = surface;
     crossings_ = 0;
     return known;
@@ -182,6 +187,8 @@ class Flight {
 
   /// A normal of the wall that it has just bounced off, of any length, to either side.
   Pair<Number> normal(std::uint32_t surface) const {
+    if (const auto* copy = periodic_.find_copy(surface))
+      return course_.normal(walls_.arc(copy->of), point_ - way_of(copy->step));
     return walls_.visit(surface, [&](const auto& wall) { return course_.normal(wall, point_); });
   }
 
@@ -195,6 +202,20 @@ class Flight {
 
  private:
   Pair<Number> pair(const Vec2& v) const { return course_.pair(v); }
+
+  // As many vectors of the lattice.
+  Pair<Number> way_of(const CellIndex& step) const {
+    const auto& [a, b] = periodic_.exact_lattice();
+    return course_.make(static_cast<double>(step.a)) * (pair(a.b) - pair(a.a)) +
+           course_.make(static_cast<double>(step.b)) * (pair(b.b) - pair(b.a));
+  }
+
+  // Whether the start surely is on the disc that a wall is a copy of.
+  bool stands_on(const PeriodicWalls::Copy& copy) const {
+    const Ellipse& disc = walls_.arc(copy.of).curve;
+    return curve_power(course_.make, disc, point_ - way_of(copy.step) - pair(disc.centre)).sign() ==
+           Sign::zero;
+  }
 
   // The end at which a wall is known to be met.
   std::optional<Pair<Number>> end_of(const Segment&, std::uint32_t) const { return std::nullopt; }
@@ -217,9 +238,23 @@ class Flight {
   }
 
   std::vector<CourseHit<Number>> meetings(std::uint32_t surface) const {
-    std::vector<CourseHit<Number>> met = walls_.visit(
-        surface, [&](const auto& wall) { return course_.meet(wall, stands_on(wall, surface)); });
+    const auto* copy = periodic_.find_copy(surface);
+    std::vector<CourseHit<Number>> met =
+        copy != nullptr ? meetings(*copy) : walls_.visit(surface, [&](const auto& wall) {
+          return course_.meet(wall, stands_on(wall, surface));
+        });
     for (CourseHit<Number>& meeting : met) meeting.surface = surface;
+    return met;
+  }
+
+  // As the disc of which it is a copy is met from where the ray is as far from that.
+  std::vector<CourseHit<Number>> meetings(const PeriodicWalls::Copy& copy) const {
+    const Pair<Number> way = way_of(copy.step);
+    Course<Number, Make> there = course_;
+    there.move(way_of({-copy.step.a, -copy.step.b}));
+    auto met = there.meet(walls_.arc(copy.of), copy.surface == departed_);
+    for (CourseHit<Number>& meeting : met)
+      if (meeting.place) meeting.place = *meeting.place + dot(way, course_.direction);
     return met;
   }
 
@@ -281,9 +316,16 @@ class Flight {
   std::optional<double> end_of_free(const Segment& wall, int axis, const Number& place,
                                     Sign heading) const {
     Bounds others;
-    for (std::uint32_t i = 0; i < walls_.size(); ++i)
-      if (!periodic_.has(i))
-        others.add(walls_.visit(i, [](const auto& one) { return bounds_of(one); }));
+    for (std::uint32_t i = 0; i < walls_.size(); ++i) {
+      if (periodic_.has(i)) continue;
+      Bounds box = walls_.visit(i, [](const auto& one) { return bounds_of(one); });
+      if (periodic_.find_copy(i) != nullptr) {  // it is that of its rounded centre
+        const double off = 0x1p-50 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+        box.low -= Vec2::Constant(off);
+        box.high += Vec2::Constant(off);
+      }
+      others.add(box);
+    }
     double low = std::min(wall.a[axis], wall.b[axis]), high = std::max(wall.a[axis], wall.b[axis]);
     if (!others.empty()) {
       if ((course_.make(others.low[axis]) - place).sign() == Sign::positive)
@@ -339,6 +381,16 @@ class Flight {
     const Ellipse& curve = arc.curve;
     const Number q = *meeting->place - course_.place_of(curve.centre);
     return curve.is_circle() ? bounce_off_circle(curve, q) : bounce_off_ellipse(curve, q);
+  }
+
+  bool bounce_off(const PeriodicWalls::Copy& copy) {
+    const Pair<Number> way = way_of(copy.step);
+    course_.move(way_of({-copy.step.a, -copy.step.b}));
+    departed_ = departed_ == copy.surface ? copy.of : kNoSurface;
+    const bool known = bounce_off(walls_.arc(copy.of), copy.of);
+    course_.move(way);
+    point_ = point_ + way;
+    return known;
   }
 
   bool bounce_off(const Bezier& wall, std::uint32_t surface) {

@@ -5,6 +5,7 @@
 
 #include "geom/error_free.h"
 #include "geom/predicates.h"
+#include "scene/outlines/lattice_cell.h"
 #include "transport/near_doubles.h"
 
 namespace flatray {
@@ -51,24 +52,61 @@ double depth(const Segment& wall, const Vec2& place) {
   return cross(edge, place - wall.a) / std::sqrt(edge.dot(edge));
 }
 
-// The whole circles that reach over the walls of a cell and come in copies: a single one is no part of what
-// the cell repeats.
-std::vector<Circle> discs_across(const Surfaces& walls,
-                                 std::span<const PeriodicWalls::Side> sides) {
-  std::vector<Circle> across, copied;
-  for (const Arc& arc : walls.arcs) {
-    const auto disc = whole_circle(arc);
+struct Disc {
+  std::uint32_t surface;
+  Circle circle;
+};
+
+// The whole circles that reach over the walls of a cell and come in copies, by radius: a single one is no part
+// of what the cell repeats.
+std::vector<Disc> discs_across(const Surfaces& walls, std::span<const PeriodicWalls::Side> sides) {
+  std::vector<Disc> across, copied;
+  for (const std::uint32_t surface : walls.curve_numbers) {
+    const auto disc = walls.visit(surface, [](const auto& wall) { return whole_circle(wall); });
     const auto reaches = [&](const PeriodicWalls::Side& side) {
       return depth(side.wall, disc->centre) < disc->radius;
     };
-    if (disc && std::any_of(sides.begin(), sides.end(), reaches)) across.push_back(*disc);
+    if (disc && std::any_of(sides.begin(), sides.end(), reaches))
+      across.push_back({surface, *disc});
   }
-  std::ranges::stable_sort(across, {}, &Circle::radius);
+  const auto radius = [&](std::size_t i) { return across[i].circle.radius; };
+  std::ranges::stable_sort(across, {}, [](const Disc& disc) { return disc.circle.radius; });
   for (std::size_t i = 0; i < across.size(); ++i)
-    if ((i > 0 && across[i - 1].radius == across[i].radius) ||
-        (i + 1 < across.size() && across[i + 1].radius == across[i].radius))
+    if ((i > 0 && radius(i - 1) == radius(i)) ||
+        (i + 1 < across.size() && radius(i + 1) == radius(i)))
       copied.push_back(across[i]);
   return copied;
+}
+
+// Which of them are copies of others, told by where these stand in the cells around: the nearest, where rounding may
+// have left it. Of two the earlier surface is no copy.
+std::vector<PeriodicWalls::Copy> copies_among(std::span<const Disc> discs, const Lattice& lattice) {
+  constexpr int kCells = 2;
+  constexpr double kRounding = 0x1p-51;  // of a centre's size, in copies that were rounded twice
+  std::vector<PeriodicWalls::Copy> copies;
+  std::vector<bool> known(discs.size(), false);
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    if (known[i]) continue;
+    const Circle& disc = discs[i].circle;
+    for (int n = -kCells; n <= kCells; ++n)
+      for (int m = -kCells; m <= kCells; ++m) {
+        const Vec2 place = lattice.moved(disc.centre, n, m);
+        double least = kRounding * (place.cwiseAbs() + disc.centre.cwiseAbs()).sum();
+        std::size_t nearest = i;
+        for (std::size_t k = i + 1; k < discs.size() && discs[k].circle.radius == disc.radius;
+             ++k) {
+          const double off = (discs[k].circle.centre - place).cwiseAbs().sum();
+          if (known[k] || !(off <= least)) continue;
+          least = off;
+          nearest = k;
+        }
+        if (nearest == i || (n == 0 && m == 0)) continue;
+        known[nearest] = true;
+        copies.push_back({discs[nearest].surface, discs[i].surface, {n, m}});
+      }
+  }
+  std::ranges::sort(copies, {}, &PeriodicWalls::Copy::surface);
+  return copies;
 }
 
 }  // namespace
@@ -98,10 +136,16 @@ PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> ma
     sides_[i].step = steps[i];
     sides_[i + half < count ? i + half : 0].step = {-steps[i].a, -steps[i].b};
   }
-  for (std::size_t i : {1U, 2U})
-    for (const int axis : {0, 1})
-      lattice_[i - 1][axis] = sides_[i].from()[axis] - sides_[i].to()[axis];
-  discs_ = discs_across(walls, sides_);
+  lattice_ = {{sides_[1].to(), sides_[1].from()}, {sides_[2].to(), sides_[2].from()}};
+  rounded_ = {lattice_.a.b - lattice_.a.a, lattice_.b.b - lattice_.b.a};
+  const std::vector<Disc> across = discs_across(walls, sides_);
+  for (const Disc& disc : across) discs_.push_back(disc.circle);
+  copies_ = copies_among(across, lattice_);
+}
+
+const PeriodicWalls::Copy* PeriodicWalls::find_copy(std::uint32_t surface) const {
+  const auto copy = std::ranges::lower_bound(copies_, surface, {}, &Copy::surface);
+  return copy == copies_.end() || copy->surface != surface ? nullptr : &*copy;
 }
 
 const PeriodicWalls::Side* PeriodicWalls::find(std::uint32_t surface) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/ray.h"
+#include "scene/outlines/lattice_cell.h"
 #include "scene/scene.h"
 #include "trace/surfaces.h"
 
@@ -70,6 +71,15 @@ class PeriodicWalls {
   std::optional<Crossed> crossed_by(std::span<const std::uint32_t> surfaces,
                                     const LeadsOut& leads_out) const;
 
+  /// A disc that reaches over the walls, as it stands in a neighbouring cell: its centre is that of the
+  /// surface `of` and a step of the lattice, as exact numbers; the surface's own is rounded.
+  struct Copy {
+    std::uint32_t surface, of;
+    CellIndex step;
+  };
+  /// nullptr of any other wall.
+  const Copy* find_copy(std::uint32_t surface) const;
+
   /// Where a ray that arrives at a point of some of them goes on.
   struct Entry {
     Vec2 point;  ///< on the closed inner side of all walls of the cell, and outside all its discs
@@ -85,15 +95,18 @@ class PeriodicWalls {
   bool in_disc_across(const Vec2& point) const;
 
   /// Its two lattice vectors, rounded once: where the cell of index (1, 0) lies, that of (0, 1).
-  const std::array<Vec2, 2>& lattice() const { return lattice_; }
+  const std::array<Vec2, 2>& lattice() const { return rounded_; }
+  const Lattice& exact_lattice() const { return lattice_; }
 
  private:
   std::optional<Vec2> inside(const Vec2& place, const Segment& wall) const;
   bool may_stand(const Vec2& point) const;
 
   std::vector<Side> sides_;  // in order round the cell
-  std::array<Vec2, 2> lattice_{Vec2(0, 0), Vec2(0, 0)};
+  Lattice lattice_{};
+  std::array<Vec2, 2> rounded_{Vec2(0, 0), Vec2(0, 0)};
   std::vector<Circle> discs_;  // that reach over its walls, each with the copies that do
+  std::vector<Copy> copies_;   // ascending
 };
 
 template <class LeadsOut>

@@ -83,6 +83,20 @@ if "$flatray" query --precision certified /dev/null 2> none.txt; then
   says out '"points":[[-0.5,0],[0.5,0]],"end":"limit","out":null,"cells":[[1,0],[0,0]],"lattice":[[2,0],[0,2]],"certain":2'
 fi
 
+# A disc stands in every cell at exact vectors of the lattice from itself, whatever doubles make of its centre there: the first
+# ray passes by it at 2^-53, and the points of the second are those of 300 digits.
+cat > exact_cell.jsonl << 'JSON'
+{"op":"orbit","cell":[[0,0],[4,0],[4,4],[0,4]],"walls":[{"circle":{"center":[3.3306690738754696e-16,2],"radius":1.0000000000000002}}],"origin":[3,0.5],"direction":[0,1],"bounces":1}
+{"op":"orbit","cell":[[-1.01953125,0.0830078125],[-0.639892578125,-0.7998046875],[0.081298828125,-1.074462890625],[1.01953125,-0.0830078125],[0.639892578125,0.7998046875],[-0.081298828125,1.074462890625]],"walls":[{"circle":{"center":[-0.6686327616612555,-0.6698347058756978],"radius":0.5450031853850711}}],"origin":[-0.13507262052475966,0.2887664743587428],"direction":[0.5941061349832164,-0.8043866609879258],"bounces":2}
+JSON
+run 0 query exact_cell.jsonl
+says out '"certain":0'
+if "$flatray" query --precision certified /dev/null 2> none.txt; then
+  run 0 query --precision certified exact_cell.jsonl
+  says out '{"walls":[],"points":[],"end":"escape","out":[0,1],"cells":[]'
+  says out '[-0.0756528513740949,0.6605155402395749]]'
+fi
+
 # 11 MB of questions in 30 MB of address space.
 if [[ -z $sanitizers ]]; then
   many() { local i; for ((i = 0; i < 20; ++i)); do cat many.jsonl; done; }

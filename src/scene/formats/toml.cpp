@@ -120,10 +120,11 @@ bool is_number_like(std::string_view token) {
          std::string_view("0123456789+-.").find(token.front()) != std::string_view::npos;
 }
 
-// "Error while parsing floating-point: x" -> "floating-point: x".
+// "Error while parsing floating-point: x" -> "floating-point: x", and no names of macros.
 std::string own_words(std::string_view description) {
   constexpr std::string_view kPrefix = "Error while parsing ";
   if (description.starts_with(kPrefix)) description.remove_prefix(kPrefix.size());
+  description = description.substr(0, description.find(" (TOML_"));
   return std::string(description);
 }
 
@@ -131,6 +132,7 @@ constexpr const char* kNumberRemedy = "numbers are written like 12, -0.5 or 1e-3
 
 // What to write instead, by the first of these that toml++'s words hold.
 constexpr std::pair<std::string_view, const char*> kRemedies[] = {
+    {"nested value depth", "leave out brackets: no key takes values as deep as this"},
     {"value, saw '#'", R"(colours are written in quotes: "#rrggbb")"},
     {"escape sequence", R"(write \\ for a backslash, or the text in single quotes: 'a\b')"},
     {"string: ", "close the text with the quotes that open it"},

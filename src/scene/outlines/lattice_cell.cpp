@@ -57,19 +57,21 @@ double shifted(double x, int n, double a, double b, int m, double c, double d) {
   return sum.hi;
 }
 
-// A place as many lattice vectors on.
-Vec2 moved_to(const Shape& cell, const Vec2& place, int n, int m) {
-  // The wall opposite edge 1 is as far back as cell (1, 0) is away, that of edge 2 as cell (0, 1).
-  const std::size_t half = cell.vertices.size() / 2;
-  const Vec2 &a_to = cell.vertices[1], &a_from = cell.vertices[(2 + half) % (2 * half)];
-  const Vec2 &b_to = cell.vertices[2], &b_from = cell.vertices[(3 + half) % (2 * half)];
-  const auto at = [&](int axis) {
-    return shifted(place[axis], n, a_from[axis], a_to[axis], m, b_from[axis], b_to[axis]);
-  };
-  return {at(0), at(1)};
+// The wall opposite edge 1 is as far back as cell (1, 0) is away, that of edge 2 as cell (0, 1).
+Lattice lattice_of(const Shape& cell) {
+  const std::vector<Vec2>& at = cell.vertices;
+  const std::size_t half = at.size() / 2;
+  return {{at[(2 + half) % at.size()], at[1]}, {at[(3 + half) % at.size()], at[2]}};
 }
 
 }  // namespace
+
+Vec2 Lattice::moved(const Vec2& place, int n, int m) const {
+  const auto at = [&](int axis) {
+    return shifted(place[axis], n, a.a[axis], a.b[axis], m, b.a[axis], b.b[axis]);
+  };
+  return {at(0), at(1)};
+}
 
 std::optional<CellFault> cell_fault(const Shape& shape) {
   if (!is_one_polygon(shape))
@@ -105,6 +107,7 @@ double cell_depth(const Shape& cell) {
 
 void add_copies_of_discs(Scene& scene, Chamber& chamber) {
   const Shape cell = scene.shapes[chamber.shape];
+  const Lattice lattice = lattice_of(cell);
   // Copies that only touch the cell cost little; none that reaches in may be missing for rounding.
   constexpr double kGenerous = 1 + 0x1p-30;
   const std::size_t count = chamber.pillars.size();
@@ -123,9 +126,10 @@ void add_copies_of_discs(Scene& scene, Chamber& chamber) {
     pillar.across = true;
     pillar.copy_of = static_cast<std::uint32_t>(i);
     chamber.pillars[i].across = true;
+    if (in_shape) pillar.angle = 0;  // which would turn the centre of the copy
     for (int n = -2; n <= 2; ++n)
       for (int m = -2; m <= 2; ++m) {
-        const Vec2 place = moved_to(cell, in_shape ? local : from, n, m);
+        const Vec2 place = lattice.moved(in_shape ? local : from, n, m);
         const Vec2 there = in_shape ? place : Vec2(place + local);
         if ((n == 0 && m == 0) || !(least_depth(cell, there) > -kGenerous * radius)) continue;
         if (in_shape) {

@@ -6,6 +6,14 @@
 
 namespace flatray {
 
+/// The two vectors of a lattice, each from one corner of its cell to another: as exact numbers.
+struct Lattice {
+  Segment a, b;
+
+  /// A place n times the one and m times the other on, rounded once.
+  Vec2 moved(const Vec2& place, int n, int m) const;
+};
+
 /// Why the walls of a shape cannot be those of a cell that fills the plane by translations.
 struct CellFault {
   std::string message, hint;

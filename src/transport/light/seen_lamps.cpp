@@ -1,6 +1,7 @@
 #include "transport/light/seen_lamps.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "geom/predicates.h"
 
@@ -16,13 +17,18 @@ Vec2 to_local(const Pose& pose, const Vec2& world) {
   return {pose.cos * out.x() + pose.sin * out.y(), pose.cos * out.y() - pose.sin * out.x()};
 }
 
+// As the ends of arcs are: so small, and so far away, that the doubles do not tell their directions apart, they are
+// those of a chord, or of nearly all of the circle.
 void add(Surfaces& lines, const LampLine& line, const Pose& pose) {
   const Segment ends{pose(line.ends.a), pose(line.ends.b)};
-  if (line.circle)
-    lines.add(Arc{Circle{pose(line.circle->centre), pose.length(line.circle->radius)},
-                  line.whole ? Arc::Extent::whole : Arc::Extent::between, ends.a, ends.b});
-  else
+  std::optional<Circle> circle;
+  if (line.circle) circle = {pose(line.circle->centre), pose.length(line.circle->radius)};
+  const bool alike = circle && !line.whole && lie_in_one_direction(circle->centre, ends.a, ends.b);
+  const bool whole = line.whole || (alike && line.length > std::numbers::pi * line.circle->radius);
+  if (!circle || (alike && !whole))
     lines.add(ends);
+  else
+    lines.add(Arc{*circle, whole ? Arc::Extent::whole : Arc::Extent::between, ends.a, ends.b});
 }
 
 }  // namespace

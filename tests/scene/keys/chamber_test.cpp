@@ -1,6 +1,8 @@
 // needs: shapes/box shapes/circle shapes/mushroom
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "scene/scene_text.h"
 
 namespace flatray {
@@ -44,9 +46,9 @@ TEST(Cells, OfSixSidesNeedAnAcuteTriangle) {
 
 // A disc in the corner of four cells is there four times, one across a side twice.
 TEST(PeriodicChambers, HaveCopiesOfDiscsAcrossTheirWalls) {
-  const auto pillars = [](const std::string& disc) {
-    return loaded(chamber("box = { min = [0, 0], max = [1, 1] }") +
-                  "pillars = [{ shape = { circle = { " + disc + " } } }]\n")
+  const auto pillars = [](const std::string& disc, const std::string& more = "") {
+    return loaded(chamber("box = { min = [0, 0], max = [1, 1] }") + "pillars = [{ " + more +
+                  "shape = { circle = { " + disc + " } } }]\n")
         .scene.chambers.front()
         .pillars;
   };
@@ -57,6 +59,8 @@ TEST(PeriodicChambers, HaveCopiesOfDiscsAcrossTheirWalls) {
   EXPECT_EQ(side[1].copy_of, 0U);
   ASSERT_EQ(corner.size(), 4U);
   EXPECT_FALSE(corner[0].copy_of);
+  for (const Chamber::Pillar& copy : pillars("radius = 0.25", "angle = 30, "))
+    EXPECT_EQ(copy.angle, copy.copy_of ? 0 : 30 / 180.0 * std::numbers::pi);
 }
 
 TEST(Holes, HaveNamesOfTheirOwn) {
