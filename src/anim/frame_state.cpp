@@ -164,6 +164,7 @@ Circle posed(const Circle& circle, const Pose& place) {
 }
 
 ArcPath posed(ArcPath path, const Pose& place) {
+  path.radius = place.length(path.radius);
   for (EllipseArc& arc : path.arcs) {
     arc.centre = place(arc.centre);
     arc.u = place.turned(arc.u);

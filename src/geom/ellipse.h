@@ -31,6 +31,8 @@ struct EllipseArc {
 struct ArcPath {
   std::vector<EllipseArc> arcs;
   bool closed = true;
+  /// Of a capsule's ends, as it is given: their half-diameters are turned, and rounded. 0 of others.
+  double radius = 0;
 
   /// Whether it is the boundary of an ellipse.
   bool is_ellipse() const { return closed && arcs.size() == 1 && arcs.front().is_whole(); }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "image/frame_rate.h"
+#include "image/srgb.h"
 
 namespace flatray {
 namespace {
@@ -29,8 +30,9 @@ constexpr Yuv yuv_of(std::int32_t red, std::int32_t green, std::int32_t blue) {
 static_assert(yuv_of(255, 255, 255).y == 235 && yuv_of(0, 0, 255).cb == 240 &&
               yuv_of(255, 0, 0).cr == 240 && yuv_of(255, 255, 0).cb == 16);
 
+// In linear light, as all that lies over something.
 std::int32_t over_black(std::uint8_t value, std::uint8_t alpha) {
-  return rounded(value * alpha, 255);
+  return srgb_from_linear(linear_from_srgb(value) * (static_cast<float>(alpha) / 255));
 }
 
 }  // namespace

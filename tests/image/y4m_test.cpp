@@ -58,7 +58,8 @@ TEST(Y4m, EveryColourIsTheNearestToItsFormula) {
 TEST(Y4m, WhatIsClearLiesOverBlack) {
   EXPECT_EQ(yuv({255, 255, 255, 0}), yuv({0, 0, 0}));
   EXPECT_EQ(yuv({255, 100, 0, 255}), yuv({255, 100, 0}));
-  EXPECT_EQ(yuv({255, 255, 255, 51}), yuv({51, 51, 51}));
+  EXPECT_EQ(yuv({255, 255, 255, 51}), yuv({124, 124, 124}));  // a fifth of the light
+  EXPECT_EQ(yuv({255, 255, 255, 128}), yuv({188, 188, 188}));
 }
 
 // Read as a video program reads it: a line of header, a line before each frame, three planes.

@@ -30,7 +30,7 @@ std::optional<Rounded> rounded_by(const ArcPath& path) {
   // The second half faces away from the first.
   const Vec2 across(one.v.y(), -one.v.x());
   if (cross_sign(across, other.centre - one.centre) != Sign::negative) return std::nullopt;
-  return Rounded{other.centre, one.centre, circle_radius(one.u)};
+  return Rounded{other.centre, one.centre, path.radius > 0 ? path.radius : circle_radius(one.u)};
 }
 
 }  // namespace flatray

@@ -24,7 +24,7 @@ Result<Shape> build(Args& args) {
   const Vec2 right(ahead.y(), -ahead.x());
   const EllipseArc far{to, right, ahead, 0, std::numbers::pi};
   const EllipseArc near{from, -right, -ahead, 0, std::numbers::pi};
-  return shape_of(ArcPath{{far, near}, true});
+  return shape_of(ArcPath{{far, near}, true, radius});
 }
 
 }  // namespace
