@@ -99,12 +99,11 @@ class FrameMaker {
     FrameRecord record = (*made)->record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
-    if (auto written = write((*made)->bytes, record); !written) return fail(std::move(written));
-    if (job_.light.error_image)
-      if (auto written =
-              write_file(job_.light.error_image->path(job_.name, frame), (*made)->error_bytes);
-          !written)
-        return fail(std::move(written));
+    FLATRAY_TRY(written, write((*made)->bytes, record));
+    if (job_.light.error_image) {
+      FLATRAY_TRY(beside,
+                  write_file(job_.light.error_image->path(job_.name, frame), (*made)->error_bytes));
+    }
     return record;
   }
 
@@ -239,9 +238,9 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
 Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& warnings) {
   const RenderJob& job = *work.job;
   constexpr std::string_view kFirstName = "{\"frame\":";
-  for (const fs::path& list : {job.manifest(), timings_path(job.folder(), job.shard)})
-    if (auto allowed = outputs.make_way(list, kFirstName); !allowed)
-      return fail(std::move(allowed));
+  for (const fs::path& list : {job.manifest(), timings_path(job.folder(), job.shard)}) {
+    FLATRAY_TRY(allowed, outputs.make_way(list, kFirstName));
+  }
   FLATRAY_TRY(lines, text_of_manifests(job.folder()));
   const Records recorded = records_of(*lines);
   std::set<std::string> files;

@@ -52,9 +52,9 @@ Result<VerbOutput> run(const Options& options) {
   report_warnings(loaded->warnings, options);
   // Before anything is measured, as nothing is measured for a file that cannot be written.
   const Outputs outputs(options);
-  if (!options.profile.empty())
-    if (auto allowed = outputs.allow(options.profile, profile_text(loaded->scene, {})); !allowed)
-      return fail(std::move(allowed));
+  if (!options.profile.empty()) {
+    FLATRAY_TRY(allowed, outputs.allow(options.profile, profile_text(loaded->scene, {})));
+  }
   std::vector<const Choice*> chosen;
   for (const Choice* choice : flatray::choices())
     if (options.chooses(choice->name)) chosen.push_back(choice);

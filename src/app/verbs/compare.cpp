@@ -133,10 +133,9 @@ Result<Outcome> measure(const Image& actual, const Image& expected, const Metric
                         double (*Metric::*value)(const Image&, const Image&),
                         const std::optional<fs::path>& diff, const Outputs& outputs) {
   FLATRAY_TRY(difference, compare(actual, expected));
-  if (diff)
-    if (auto written = outputs.write(*diff, encode_png(difference_image(actual, expected)));
-        !written)
-      return fail(std::move(written));
+  if (diff) {
+    FLATRAY_TRY(written, outputs.write(*diff, encode_png(difference_image(actual, expected))));
+  }
   Outcome outcome{*difference, "equal", std::nullopt};
   if (difference->pixels != 0) outcome.text = difference_text(*difference);
   if (metric != nullptr) outcome.metric = (metric->*value)(actual, expected);

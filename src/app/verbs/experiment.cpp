@@ -135,21 +135,18 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
   if (options.sweeps_seed()) with.seed.reset();
   FLATRAY_TRY(loaded, load_input(with, options.operands()[1], more));
   report_warnings(loaded->warnings, options);
-  if (!options.experiment->uses.field)
-    if (auto straight =
-            expect_no_field(loaded->scene, fmt::format("experiment {}", options.experiment->name));
-        !straight)
-      return fail(std::move(straight));
   const bool certified = options.precision == OrbitPrecision::certified;
-  if (!options.experiment->uses.glass || certified)
-    if (auto unsplit = expect_no_glass(
-            loaded->scene, certified ? std::string("--precision certified")
-                                     : fmt::format("experiment {}", options.experiment->name));
-        !unsplit)
-      return fail(std::move(unsplit));
-  if (certified)
-    if (auto straight = expect_no_field(loaded->scene, "--precision certified"); !straight)
-      return fail(std::move(straight));
+  const std::string experiment = fmt::format("experiment {}", options.experiment->name),
+                    precision = "--precision certified";
+  if (!options.experiment->uses.field) {
+    FLATRAY_TRY(straight, expect_no_field(loaded->scene, experiment));
+  }
+  if (!options.experiment->uses.glass || certified) {
+    FLATRAY_TRY(unsplit, expect_no_glass(loaded->scene, certified ? precision : experiment));
+  }
+  if (certified) {
+    FLATRAY_TRY(straight, expect_no_field(loaded->scene, precision));
+  }
   std::optional<std::filesystem::path> kept_in;
   if (options.resume) kept_in = folder / (std::string(options.experiment->name) + ".blocks");
   const std::uint64_t seed = options.sweeps_seed() ? loaded->scene.seed : options.seed;

@@ -163,8 +163,7 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
     return follow_orbit(room, ray_name(room.scene, state.ray),
                         {world_pose(frame)(state.start.origin), state.start.direction}, bounces,
                         options.request(room.scene, state.ray));
-  if (auto checked = check_frozen(options, ray_name(room.scene, state.ray)); !checked)
-    return fail(std::move(checked));
+  FLATRAY_TRY(frozen, check_frozen(options, ray_name(room.scene, state.ray)));
   if (!moving) {
     FLATRAY_TRY(made, MovingRoom::make(options, room.scene, frame));
     moving = std::move(*made);

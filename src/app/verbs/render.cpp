@@ -155,9 +155,9 @@ Result<VerbOutput> run(const Options& given) {
   for (const RenderJob& job : *jobs)
     if (auto able = can_draw(job.scene, left_out_of_build()); !able) return fail(std::move(able));
   FLATRAY_TRY(renderer, chosen_renderer(options.backend, request.threads()));
-  for (RenderJob& job : *jobs)
-    if (auto completed = complete(options, *renderer, job); !completed)
-      return fail(std::move(completed));
+  for (RenderJob& job : *jobs) {
+    FLATRAY_TRY(completed, complete(options, *renderer, job));
+  }
   FLATRAY_TRY(list, work_list(*jobs, request));
   if (options.dry_run) return describe(*list);
   const RenderJob& first = jobs->front();

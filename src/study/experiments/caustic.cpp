@@ -126,12 +126,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   const double rounding = kRoundingByBounce * static_cast<double>(bounces) * extent;
   LineDensity all = empty_density(room, watched->starts.size());
-  auto found = run_blocks(context, watched->starts.size(), [&](std::size_t i) {
-    Lines lines(all, watched->starts[i], middle, foci);
-    room.orbits().follow(std::span(&watched->starts[i], 1), bounces, lines);
-    return lines.numbers();
-  });
-  if (!found) return fail(std::move(found));
+  FLATRAY_TRY(found, run_blocks(context, watched->starts.size(), [&](std::size_t i) {
+                Lines lines(all, watched->starts[i], middle, foci);
+                room.orbits().follow(std::span(&watched->starts[i], 1), bounces, lines);
+                return lines.numbers();
+              }));
   std::vector<Measure> measures;
   for (std::size_t i = 0; i < found->size(); ++i) {
     const Numbers& one = (*found)[i];

@@ -86,12 +86,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   FLATRAY_TRY(watched, orbits_to_watch(context, room, 1));
   const Grid grid = grid_of(room);
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
-  auto found = run_blocks(context, watched->starts.size(), [&](std::size_t i) {
-    Crossed crossed(room, grid, watched->starts[i].ray.origin);
-    room.orbits().follow(std::span(&watched->starts[i], 1), bounces, crossed);
-    return crossed.numbers();
-  });
-  if (!found) return fail(std::move(found));
+  FLATRAY_TRY(found, run_blocks(context, watched->starts.size(), [&](std::size_t i) {
+                Crossed crossed(room, grid, watched->starts[i].ray.origin);
+                room.orbits().follow(std::span(&watched->starts[i], 1), bounces, crossed);
+                return crossed.numbers();
+              }));
   Plot plot{"Part of the room a path has crossed", "bounces", "portion of the cells", {}};
   std::vector<Measure> measures;
   for (std::size_t i = 0; i < found->size(); ++i) {

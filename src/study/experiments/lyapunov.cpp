@@ -218,13 +218,12 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                             2 * kSettling, kSettling),
                 Trouble::usage);
   GrowthSums all{std::vector<StartSums>(kSums, StartSums(context.starts))};
-  auto ran = sum_blocks(context, Blocks::of(plan->orbits), all,
-                        [&](std::uint64_t begin, std::uint64_t end, GrowthSums& some) {
-                          Growth growth(room, begin, end, plan->bounces);
-                          follow_drawn(context, room, begin, end, plan->bounces, growth);
-                          growth.add_to(some);
-                        });
-  if (!ran) return fail(std::move(ran));
+  FLATRAY_TRY(ran, sum_blocks(context, Blocks::of(plan->orbits), all,
+                              [&](std::uint64_t begin, std::uint64_t end, GrowthSums& some) {
+                                Growth growth(room, begin, end, plan->bounces);
+                                follow_drawn(context, room, begin, end, plan->bounces, growth);
+                                growth.add_to(some);
+                              }));
   Grown grown{all.tail};
   for (const StartSums& one : all.sums) grown.sums.push_back(one.all());
   const Law law = law_of(room, grown.sums[of_doubling]);

@@ -102,13 +102,12 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   FLATRAY_TRY(plan, plan_orbits(context, kBounces));
   const double expected = kPi * *area / room.perimeter();
   FlightSums all{StartSums(context.starts), StreamingHistogram(0, kMostOfMean * expected, kBins)};
-  auto ran = sum_blocks(context, Blocks::of(plan->orbits), all,
-                        [&](std::uint64_t begin, std::uint64_t end, FlightSums& some) {
-                          Flights flights(begin, end, some);
-                          follow_drawn(context, room, begin, end, plan->bounces, flights);
-                          flights.add_orbits(plan->bounces);
-                        });
-  if (!ran) return fail(std::move(ran));
+  FLATRAY_TRY(ran, sum_blocks(context, Blocks::of(plan->orbits), all,
+                              [&](std::uint64_t begin, std::uint64_t end, FlightSums& some) {
+                                Flights flights(begin, end, some);
+                                follow_drawn(context, room, begin, end, plan->bounces, flights);
+                                flights.add_orbits(plan->bounces);
+                              }));
   const RatioSums sums = all.flights.all();
   Measure path = sums.measure("mean_free_path", expected);
   withhold_error_of_flights(path, room, all.tail);

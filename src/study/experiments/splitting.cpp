@@ -289,10 +289,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   FLATRAY_TRY(plan, plan_of(context, room));
   SplittingPlan far = *plan;
   far.apart *= kFarther;
-  auto found = run_blocks(context, kGroups, [&](std::size_t group) {
-    return split_group(context, room, Report::is_far(group) ? far : *plan, group).numbers();
-  });
-  if (!found) return fail(std::move(found));
+  FLATRAY_TRY(
+      found, run_blocks(context, kGroups, [&](std::size_t group) {
+        return split_group(context, room, Report::is_far(group) ? far : *plan, group).numbers();
+      }));
   return Report(context, *plan, *found).result();
 }
 

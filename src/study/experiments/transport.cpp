@@ -289,16 +289,15 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
         Trouble::usage);
   const double mean_flight = kPi * area / room.perimeter();
   Transport all{LagTimes::of(mean_flight, plan->bounces), mean_flight};
-  auto ran = sum_blocks(context, Blocks::of(plan->orbits), all,
-                        [&](std::uint64_t begin, std::uint64_t end, Transport& some) {
-                          std::vector<OrbitStart> starts;
-                          for (std::uint64_t i = begin; i < end; ++i)
-                            starts.push_back(room.draw_free_start(context.seed, i));
-                          Walks walks(room, starts, some);
-                          room.orbits().follow(starts, plan->bounces, walks);
-                          walks.add_orbits(plan->bounces);
-                        });
-  if (!ran) return fail(std::move(ran));
+  FLATRAY_TRY(ran, sum_blocks(context, Blocks::of(plan->orbits), all,
+                              [&](std::uint64_t begin, std::uint64_t end, Transport& some) {
+                                std::vector<OrbitStart> starts;
+                                for (std::uint64_t i = begin; i < end; ++i)
+                                  starts.push_back(room.draw_free_start(context.seed, i));
+                                Walks walks(room, starts, some);
+                                room.orbits().follow(starts, plan->bounces, walks);
+                                walks.add_orbits(plan->bounces);
+                              }));
   if (all.left_out > kMostLeftOut * static_cast<double>(plan->orbits))
     return fail(where,
                 fmt::format("{:.0f} of {} orbits are too short, as they met a corner or had short "

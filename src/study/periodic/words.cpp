@@ -84,9 +84,8 @@ Result<std::vector<ClosedOrbit>> orbits_by_word(const ExperimentContext& context
     all.insert(all.end(), some->begin(), some->end());
   }
   std::vector<std::vector<ClosedOrbit>> found(all.size());
-  auto ran = run_tasks(context, all.size(),
-                       [&](std::size_t i) { found[i] = closed_orbits(room, all[i]); });
-  if (!ran) return fail(std::move(ran));
+  FLATRAY_TRY(ran, run_tasks(context, all.size(),
+                             [&](std::size_t i) { found[i] = closed_orbits(room, all[i]); }));
   std::vector<ClosedOrbit> orbits;
   for (auto& some : found)
     orbits.insert(orbits.end(), std::make_move_iterator(some.begin()),

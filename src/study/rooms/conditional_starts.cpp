@@ -33,10 +33,9 @@ class OnlyStops : public RunMonitor {
 Result<Survival> natural_survival(const ExperimentContext& context, const Room& room,
                                   std::uint64_t bounces) {
   const std::uint64_t count = std::min(context.count, kPilot);
-  const auto outcomes = trace_outcomes(context, room, bounces, count, 0, [&](std::uint64_t i) {
-    return room.draw_start(context.seed, kPilotStarts + i);
-  });
-  if (!outcomes) return tl::unexpected(outcomes.error());
+  FLATRAY_TRY(outcomes, trace_outcomes(context, room, bounces, count, 0, [&](std::uint64_t i) {
+                return room.draw_start(context.seed, kPilotStarts + i);
+              }));
   const Survival found = survival(departures_of(*outcomes));
   const Place where = context.scene.where;
   if (found.law == Survival::Law::power)

@@ -57,9 +57,8 @@ Result<void> run_in_order(const ExperimentContext& context, std::size_t count,
 Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::size_t count,
                                         const std::function<Numbers(std::size_t)>& task) {
   std::vector<Numbers> results;
-  auto ran = run_in_order(context, count, task,
-                          [&](Numbers&& result) { results.push_back(std::move(result)); });
-  if (!ran) return fail(std::move(ran));
+  FLATRAY_TRY(ran, run_in_order(context, count, task,
+                                [&](Numbers&& result) { results.push_back(std::move(result)); }));
   return results;
 }
 
