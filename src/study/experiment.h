@@ -86,6 +86,16 @@ inline Measure remarked(std::string name, double value, std::string remark) {
   return {.name = std::move(name), .value = value, .remark = std::move(remark)};
 }
 
+/// A number that must come out as `expected`, where that is known, but for what rounding may take it off.
+inline Measure expected_within(std::string name, double value, std::optional<double> expected,
+                               double allowed, std::string remark = {}) {
+  return {.name = std::move(name),
+          .value = value,
+          .expected = expected,
+          .allowed = allowed,
+          .remark = std::move(remark)};
+}
+
 /// Takes the error from a measure, and says why.
 inline void withhold_error(Measure& measure, std::string why) {
   measure.standard_error.reset();

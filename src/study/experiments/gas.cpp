@@ -178,13 +178,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Units units = units_of(*bodies, done);
   const double before = energy(*bodies, done, units, true);
   const auto known = [](std::string name, double value, double allowed) {
-    return Measure{std::move(name),
-                   value,
-                   {},
-                   0,
-                   kInfinity,
-                   allowed,
-                   allowed > 0 ? fmt::format("rounding may take it {:.2g} off", allowed) : ""};
+    return expected_within(
+        std::move(name), value, 0, allowed,
+        allowed > 0 ? fmt::format("rounding may take it {:.2g} off", allowed) : "");
   };
   std::vector<Measure> measures = {
       known("energy_off", energy(*bodies, done, units, false) / before - 1,

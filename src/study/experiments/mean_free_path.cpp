@@ -114,7 +114,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (room.scene().field() != 0 && path.standard_error)
     withhold_what_is_too_coarse(path, kPi * most_off_of_free_centres(room) / room.perimeter());
   std::vector<Measure> measures{std::move(path),
-                                {"orbits_escaped", all.escaped, {}, 0, kInfinity, 0},
+                                expected_within("orbits_escaped", all.escaped, 0, 0),
                                 {"orbits_into_corners", all.corners}};
   ExperimentResult result = measured(
       context, "mean_free_path",

@@ -161,20 +161,10 @@ std::vector<Measure> audit_of(const FastOrbits& orbits, const ExperimentContext&
       remarked("audit_bounces_right_fast", fast / count,
                "on the walls of the certified one, within 1 % of the room"),
       {"audit_bounces_right_exact", exact / count},
-      {"audit_parted_at_once",
-       wrong,
-       {},
-       0,
-       kInfinity,
-       0,
-       "from within 2^-32 of the room, which rounding does not explain"},
-      {"audit_first_flight",
-       first,
-       {},
-       0,
-       kInfinity,
-       kRoundingOfFlight,
-       "largest difference, 2^-53 of the room"}};
+      expected_within("audit_parted_at_once", wrong, 0, 0,
+                      "from within 2^-32 of the room, which rounding does not explain"),
+      expected_within("audit_first_flight", first, 0, kRoundingOfFlight,
+                      "largest difference, 2^-53 of the room")};
 }
 
 }  // namespace flatray
