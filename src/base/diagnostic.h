@@ -6,13 +6,13 @@
 
 namespace flatray {
 
-/// What went wrong decides the exit code (docs/LIMITS.md); a library never exits by itself.
+/// What went wrong, by the exit code that it decides (docs/LIMITS.md); a library never exits by itself.
 enum class Trouble {
-  usage,        ///< the command line is wrong: exit 2
-  missing,      ///< an input is not there or cannot be read: exit 3
-  invalid,      ///< an input is read but wrong: exit 4
-  unavailable,  ///< a back end or optional part is not in this build: exit 5
-  output,       ///< a result could not be written: exit 6
+  usage = 2,        ///< the command line is wrong
+  missing = 3,      ///< an input is not there or cannot be read
+  invalid = 4,      ///< an input is read but wrong
+  unavailable = 5,  ///< a back end or optional part is not in this build
+  output = 6,       ///< a result could not be written
 };
 
 /// One mistake: where it stands, what is wrong with the value, what to write instead.

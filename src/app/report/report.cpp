@@ -14,20 +14,7 @@
 namespace flatray {
 
 int exit_code(const Diagnostics& problems) {
-  if (problems.empty()) return 0;
-  switch (problems.front().trouble) {
-    case Trouble::usage:
-      return 2;
-    case Trouble::missing:
-      return 3;
-    case Trouble::invalid:
-      return 4;
-    case Trouble::unavailable:
-      return 5;
-    case Trouble::output:
-      return 6;
-  }
-  return 70;
+  return problems.empty() ? 0 : static_cast<int>(problems.front().trouble);
 }
 
 int report_failure(const Diagnostics& problems, const std::string& undone) {
