@@ -26,21 +26,12 @@ double length_of(const HitSet& set) {
 
 HitSet combine(const NamedRay& ray, HitOperation operation,
                const std::vector<std::vector<HitReport>>& by_entity) {
+  const auto combined = operation == HitOperation::in_any   ? &union_of
+                        : operation == HitOperation::in_all ? &intersection_of
+                                                            : &difference_of;
   HitSet set{ray, inside(by_entity.front())};
-  for (std::size_t i = 1; i < by_entity.size(); ++i) {
-    const IntervalSet other = inside(by_entity[i]);
-    switch (operation) {
-      case HitOperation::in_any:
-        set.parts = union_of(set.parts, other);
-        break;
-      case HitOperation::in_all:
-        set.parts = intersection_of(set.parts, other);
-        break;
-      case HitOperation::in_first_alone:
-        set.parts = difference_of(set.parts, other);
-        break;
-    }
-  }
+  for (std::size_t i = 1; i < by_entity.size(); ++i)
+    set.parts = combined(set.parts, inside(by_entity[i]));
   return set;
 }
 

@@ -116,18 +116,9 @@ std::string ink_colour(const std::string& ink, bool dark) {
 }
 
 std::vector<double> dashes_of(const Pen& pen) {
-  switch (pen.dash % 5) {
-    case 1:
-      return {7, 3};
-    case 2:
-      return {2, 2};
-    case 3:
-      return {9, 3, 2, 3};
-    case 4:
-      return {4, 6};
-    default:
-      return {};
-  }
+  static const std::array<std::vector<double>, 5> kDashes = {
+      {{}, {7, 3}, {2, 2}, {9, 3, 2, 3}, {4, 6}}};
+  return kDashes[pen.dash % kDashes.size()];
 }
 
 double words_width(const std::string& words) {
@@ -168,23 +159,20 @@ std::string data_address(const Image& image) {
 }
 
 std::string svg_text(const std::string& text) {
+  struct Special {
+    char letter;
+    const char* reference;
+  };
+  static constexpr Special kSpecial[] = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string safe;
-  for (const char c : text) switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    }
+  for (const char c : text) {
+    const auto special = std::ranges::find(kSpecial, c, &Special::letter);
+    if (special != std::end(kSpecial))
+      safe += special->reference;
+    else
+      safe += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+  }
   return safe;
 }
 
