@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 #include "app/help/help.h"
@@ -16,6 +15,7 @@
 #include "app/options/project_config.h"
 #include "app/options/resource_limits.h"
 #include "app/report/report.h"
+#include "base/descriptor.h"
 #include "base/isa.h"
 #include "base/left_out.h"
 #include "base/module_file.h"
@@ -91,10 +91,7 @@ Diagnostics unknown_verb(const std::string& word) {
 int print(const std::string& text, int code) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0) return code;
-  return report_failure(
-      {{named_place("standard output"), fmt::format("cannot write: {}", std::strerror(errno)), "",
-        Trouble::output}},
-      "");
+  return report_failure(cannot("write", "standard output", errno, Trouble::output).value(), "");
 }
 
 // With all that is wrong with them but the values of options.

@@ -75,9 +75,7 @@ Result<void> open_for(const Named& one, const Arguments& arguments, Sandbox& san
   const fs::path folder = folder_written(one);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error)
-    return fail(named_place(folder.string()), "cannot make the folder: " + error.message(), "",
-                Trouble::output);
+  if (error) return cannot("make the folder", folder, error.value(), Trouble::output);
   sandbox.write.push_back(folder);
   return {};
 }

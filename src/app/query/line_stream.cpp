@@ -1,51 +1,29 @@
 #include "app/query/line_stream.h"
 
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 
 namespace flatray {
-namespace {
-
-constexpr std::size_t kBlock = std::size_t{1} << 18;
-
-tl::unexpected<Diagnostics> unreadable(const std::string& name) {
-  return fail(named_place(name), fmt::format("cannot read: {}", std::strerror(errno)), "",
-              Trouble::missing);
-}
-
-}  // namespace
 
 Result<LineStream> LineStream::open(const std::string& path) {
-  if (path == "-") return LineStream(STDIN_FILENO, "standard input");
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return unreadable(path);
-  return LineStream(file, path);
-}
-
-LineStream::LineStream(LineStream&& other) noexcept
-    : file_(std::exchange(other.file_, -1)),
-      name_(std::move(other.name_)),
-      room_(std::move(other.room_)),
-      used_(other.used_),
-      ended_(other.ended_) {}
-
-LineStream::~LineStream() {
-  if (file_ > STDIN_FILENO) ::close(file_);
+  if (path == "-") return LineStream(Descriptor(STDIN_FILENO), "standard input");
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) return cannot("read", path, errno, Trouble::missing);
+  return LineStream(std::move(file), path);
 }
 
 // Reads once; false at the end.
 Result<bool> LineStream::fill() {
+  constexpr std::size_t kBlock = std::size_t{1} << 18;
   const std::size_t before = room_.size();
   room_.resize(before + kBlock);
   ssize_t count = -1;
-  do count = ::read(file_, room_.data() + before, kBlock);
+  do count = ::read(file_.get(), room_.data() + before, kBlock);
   while (count < 0 && errno == EINTR);
   room_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-  if (count < 0) return unreadable(name_);
+  if (count < 0) return cannot("read", name_, errno, Trouble::missing);
   return count > 0;
 }
 

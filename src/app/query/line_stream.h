@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "base/result.h"
 
 namespace flatray {
@@ -22,9 +23,6 @@ class LineStream {
   /// "-" is standard input.
   /// Error   Trouble::missing, naming the path and the system's reason.
   static Result<LineStream> open(const std::string& path);
-  LineStream(LineStream&& other) noexcept;
-  LineStream& operator=(LineStream&&) = delete;
-  ~LineStream();
 
   /// The next whole lines, at most some hundred kilobytes unless one line is longer; empty at the
   /// end. They last until the next call.
@@ -34,11 +32,11 @@ class LineStream {
   static constexpr std::size_t kLongest = std::size_t{1} << 24;
 
  private:
-  LineStream(int file, std::string name) : file_(file), name_(std::move(name)) {}
+  LineStream(Descriptor file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}
   Result<bool> fill();
   Result<void> skip_line();
 
-  int file_;
+  Descriptor file_;
   std::string name_;
   std::string room_;
   std::size_t used_ = 0;  ///< bytes of room_ handed out by the last call
