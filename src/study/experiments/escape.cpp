@@ -175,9 +175,7 @@ class Basins {
     if (most > 0)
       plot.bar = bar_of(
           "brightness: bounces until it leaves", most,
-          [](double part) {
-            return LinearRgb{1, 1, 1} * brightness(part);
-          },
+          [](double part) { return grey(brightness(part)); },
           [&](double bounces) { return log_share(bounces, most); });
     return plot;
   }

@@ -157,12 +157,7 @@ Plot plot_of(const Section& section) {
   const auto most = static_cast<double>(std::ranges::max(section.counts));
   const auto brightness = [&](double bounces) { return log_share(bounces, most); };
   plot.map.emplace(Plot::Map{light_of(section, brightness), {{0, -1}, {1, 1}}});
-  plot.bar = bar_of(
-      "bounces in a pixel", most,
-      [](double part) {
-        return LinearRgb{1, 1, 1} * part;
-      },
-      brightness);
+  plot.bar = bar_of("bounces in a pixel", most, &grey, brightness);
   const std::vector<std::string>& names = section.watched.orbits.names;
   if (names.size() > kMostNames)
     plot.caption = counted(names.size(), "orbit") + ", each in a colour; light adds up";

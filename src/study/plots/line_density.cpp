@@ -30,17 +30,15 @@ void LineDensity::add(const Vec2& from, const Vec2& to) {
   const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
   for (double t = part.t_enter; t < part.t_exit;) {
     double next = part.t_exit;
-    std::array<int, 2> at{};
     for (int axis = 0; axis < 2; ++axis) {
       const double x = a[axis] + t * d[axis];
       const double line = d[axis] > 0 ? std::floor(x) + 1 : std::ceil(x) - 1;
       if (d[axis] != 0) next = std::min(next, (line - a[axis]) / d[axis]);
     }
     next = std::max(next, std::nextafter(t, kInfinity));
-    for (int axis = 0; axis < 2; ++axis)
-      at[static_cast<std::size_t>(axis)] =
-          static_cast<int>(std::floor(a[axis] + 0.5 * (t + next) * d[axis]));
-    const int x = std::clamp(at[0], 0, width_ - 1), y = std::clamp(at[1], 0, height_ - 1);
+    const Vec2 middle = a + 0.5 * (t + next) * d;
+    const int x = std::clamp(static_cast<int>(std::floor(middle.x())), 0, width_ - 1),
+              y = std::clamp(static_cast<int>(std::floor(middle.y())), 0, height_ - 1);
     cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x)] += (next - t) * length;
     t = next;

@@ -20,6 +20,8 @@ LinearRgb hue(double turn);
 /// Colours that are easy to tell apart, any number of them: the seven of Okabe and Ito, then the
 /// hue goes on by the golden section.
 LinearRgb nth_colour(std::size_t n);
+/// From black to white, for 0 to 1.
+inline LinearRgb grey(double level) { return {level, level, level}; }
 /// From black over red and yellow to white, for 0 to 1.
 LinearRgb heat(double level);
 
