@@ -132,13 +132,8 @@ const char* end_text(const OrbitRoom& room, const OrbitReport& report) {
 
 }  // namespace
 
-OrbitRoom::OrbitRoom(const Scene& scene_, const FrameState& state)
-    : scene(scene_),
-      world(build_world(scene_, state)),
-      materials(world.materials()),
-      glass(scene_, world),
-      solids(scene_, state),
-      window(state.window) {}
+OrbitRoom::OrbitRoom(const Scene& of, const FrameState& state)
+    : scene(of), world(build_world(of, state)), solids(of, state), window(state.window) {}
 
 Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
                                  std::uint64_t bounces, const OrbitRequest& request) {

@@ -14,12 +14,12 @@ namespace flatray {
 struct OrbitRoom {
   const Scene& scene;
   World world;
-  std::vector<Material> materials;
-  Glass glass;
+  std::vector<Material> materials = world.materials();
+  Glass glass{scene, world};
   Solids solids;
   Bounds window;  ///< of the scene's film
 
-  OrbitRoom(const Scene& scene, const FrameState& state);
+  OrbitRoom(const Scene& of, const FrameState& state);
 };
 
 /// How an orbit is followed.

@@ -26,27 +26,17 @@ namespace fs = std::filesystem;
 class FrameMaker {
  public:
   FrameMaker(const RenderJob& job, const FrameSource& source, const std::vector<unsigned>& frames,
-             unsigned threads, const std::function<void()>& done, const Claim* claim)
-      : job_(job),
-        source_(source),
-        frames_(frames),
-        spread_(spread(job, frames.size(), threads)),
-        run_(run_length(frames.size(), spread_)),
-        done_(done),
-        claim_(claim),
-        manifest_(job.manifest()),
-        made_((frames.size() + run_ - 1) / run_) {}
+             const Spread& spread, const std::function<void()>& done, const Claim* claim)
+      : job_(job), source_(source), frames_(frames), spread_(spread), done_(done), claim_(claim) {}
 
-  void make_all() {
-    parallel_for(made_.size(), spread_.frames_at_once,
-                 [this](std::size_t run) { make_run(run * run_, made_[run]); });
-  }
-
-  JobResult result() {
+  JobResult operator()() {
+    std::vector<JobResult> runs((frames_.size() + run_ - 1) / run_);
+    parallel_for(runs.size(), spread_.frames_at_once,
+                 [&](std::size_t run) { make_run(run * run_, runs[run]); });
     JobResult result;
     result.drawn = source_.drawn();
     result.encoded = source_.encoded();
-    for (JobResult& made : made_) result.add(std::move(made));
+    for (JobResult& made : runs) result.add(std::move(made));
     return result;
   }
 
@@ -124,21 +114,12 @@ class FrameMaker {
   const FrameSource& source_;
   const std::vector<unsigned>& frames_;
   const Spread spread_;
-  const std::size_t run_;
   const std::function<void()>& done_;
   const Claim* const claim_;
-  const Journal manifest_;
-  std::vector<JobResult> made_;
+  const std::size_t run_ = run_length(frames_.size(), spread_);
+  const Journal manifest_{job_.manifest()};
   std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
 };
-
-JobResult make_pictures(const RenderJob& job, const FrameSource& source,
-                        const std::vector<unsigned>& frames, unsigned threads,
-                        const std::function<void()>& done, const Claim* claim) {
-  FrameMaker maker(job, source, frames, threads, done, claim);
-  maker.make_all();
-  return maker.result();
-}
 
 // The lines of all manifests in a folder.
 Result<std::string> text_of_manifests(const fs::path& folder) {
@@ -288,8 +269,9 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
   if (known.empty() || (video && known.size() < frames.size()))
     return {{}, {}, std::move(part->problems), true};
   const FrameSource source(job, part->timeline, known.front(), known.size(), threads, told);
-  JobResult result = video ? make_video(job, source, known, threads, done)
-                           : make_pictures(job, source, known, threads, done, claim);
+  JobResult result =
+      video ? make_video(job, source, known, threads, done)
+            : FrameMaker(job, source, known, spread(job, known.size(), threads), done, claim)();
   if (auto lost = lost_light(job.scene, result.written))
     result.warnings.push_back(std::move(*lost));
   if (auto missed = missed_error(job.light.error, result.written))

@@ -42,11 +42,7 @@ JsonValue job_value(const Work& work, const JobResult& result) {
 class Run {
  public:
   Run(const Arguments& arguments, const WorkList& list, ProgressMode mode)
-      : arguments_(arguments),
-        list_(list),
-        total_(total(list)),
-        progress_(total_, mode, "frames", has_light(list)),
-        lost_(list.works.empty() ? nullptr : lost_by_stop(*list.works.front().job)) {
+      : arguments_(arguments), list_(list), mode_(mode) {
     if (lost_ != nullptr) catch_interrupts(lost_);
   }
 
@@ -139,9 +135,11 @@ class Run {
 
   const Arguments& arguments_;
   const WorkList& list_;
-  const std::size_t total_;
-  Progress progress_;
-  const char* const lost_;  ///< by a stop, so that --resume does not go on; else null
+  const ProgressMode mode_;
+  const std::size_t total_ = total(list_);
+  Progress progress_{total_, mode_, "frames", has_light(list_)};
+  /// By a stop, so that --resume does not go on; else null.
+  const char* const lost_ = list_.works.empty() ? nullptr : lost_by_stop(*list_.works.front().job);
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t written_ = 0, kept_ = 0;
   std::map<const Work*, Claim> claims_;  ///< to the patterns of sequences

@@ -25,13 +25,7 @@ class VideoMaker {
  public:
   VideoMaker(const RenderJob& job, const FrameSource& source, const std::vector<unsigned>& frames,
              const Spread& spread, const std::function<void()>& done, VideoFile file)
-      : job_(job),
-        source_(source),
-        frames_(frames),
-        turn_(frames_a_turn(job)),
-        done_(done),
-        file_(std::move(file)),
-        sequence_{job.picture().width, job.picture().height, frames.size(), job.scene.fps} {
+      : job_(job), source_(source), frames_(frames), done_(done), file_(std::move(file)) {
     for (unsigned i = 0; i < spread.frames_at_once; ++i)
       threads_.emplace_back(job, spread.threads_each);
   }
@@ -119,10 +113,11 @@ class VideoMaker {
   const RenderJob& job_;
   const FrameSource& source_;
   const std::vector<unsigned>& frames_;
-  const std::size_t turn_;
+  const std::size_t turn_ = frames_a_turn(job_);
   const std::function<void()>& done_;
   VideoFile file_;
-  const FrameSequence sequence_;
+  const FrameSequence sequence_{job_.picture().width, job_.picture().height, frames_.size(),
+                                job_.scene.fps};
   std::deque<DrawingThread> threads_;  // which are never moved
   std::deque<Encoded> waiting_;
   Hash hash_;           ///< of all parts

@@ -23,10 +23,7 @@ constexpr LinearRgb kClear{0.55, 0.75, 0.9};
 class Choices {
  public:
   explicit Choices(const ExperimentContext& context)
-      : scene_(context.scene),
-        timeline_(scene_, context.seed, scene_.frames),
-        state_(at(timeline_, 1)),
-        duration_((scene_.frames - 1) / scene_.fps) {
+      : scene_(context.scene), timeline_(scene_, context.seed, scene_.frames) {
     for (std::uint32_t i = 0; i < scene_.entities.size(); ++i)
       bodies_.push_back(
           {&shape_of(scene_, state_.entities[i]),
@@ -63,8 +60,8 @@ class Choices {
  private:
   const Scene& scene_;
   const Timeline timeline_;
-  const FrameState state_;
-  const double duration_;
+  const FrameState state_ = at(timeline_, 1);
+  const double duration_ = (scene_.frames - 1) / scene_.fps;
   std::vector<MovingShape> bodies_;
   std::vector<Bounds> boxes_;
 };

@@ -49,17 +49,11 @@ struct GrowthSums {
 class Growth : public OrbitSink {
  public:
   Growth(const Room& room, std::uint64_t begin, std::uint64_t end, std::uint64_t bounces)
-      : room_(room),
-        walls_(room.walls()),
-        field_(room.scene().field()),
-        begin_(begin),
-        extent_(bounds_of(room.walls()).size().maxCoeff()),
-        quarter_(bounces / 4),
-        states_(end - begin) {}
+      : room_(room), begin_(begin), quarter_(bounces / 4), states_(end - begin) {}
 
   void bounce(std::size_t number, const Bounce& bounce) override {
     State& state = states_[number];
-    const double bend = curvature(walls_, bounce.surface, bounce.point, bounce.normal);
+    const double bend = curvature(room_.walls(), bounce.surface, bounce.point, bounce.normal);
     if (field_ == 0) {
       state.tangent.fly(bounce.t / extent_);
       if (bounce.is_refracted())
@@ -116,10 +110,8 @@ class Growth : public OrbitSink {
       tangent.refract(*met, bend);
   }
   const Room& room_;
-  const Surfaces& walls_;
-  double field_;
-  std::uint64_t begin_;  // the number of the first
-  double extent_;
+  double field_ = room_.scene().field(), extent_ = bounds_of(room_.walls()).size().maxCoeff();
+  std::uint64_t begin_;    // the number of the first
   std::uint64_t quarter_;  // of the bounces
   std::vector<State> states_;
 };

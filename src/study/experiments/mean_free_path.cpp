@@ -40,11 +40,7 @@ struct FlightSums {
 class Flights : public OrbitSink {
  public:
   Flights(std::uint64_t begin, std::uint64_t end, FlightSums& sums)
-      : sums_(sums),
-        begin_(begin),
-        lengths_(end - begin),
-        flights_(end - begin),
-        longest_(end - begin) {}
+      : sums_(sums), begin_(begin), lengths_(end - begin) {}
   void bounce(std::size_t number, const Bounce& bounce) override {
     const double flight = bounce.path_length - lengths_[number];
     sums_.spread.add(flight);
@@ -66,7 +62,7 @@ class Flights : public OrbitSink {
  private:
   FlightSums& sums_;
   std::uint64_t begin_;  // the number of the first
-  std::vector<double> lengths_, flights_, longest_;
+  std::vector<double> lengths_, flights_ = lengths_, longest_ = lengths_;
 };
 
 // In a field what circles freely meets no wall, and the mean is over all the rest of phase space,

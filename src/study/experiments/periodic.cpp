@@ -52,11 +52,7 @@ class PeriodicOrbits {
  public:
   PeriodicOrbits(const ExperimentContext& context, const MirrorRoom& room, std::size_t symbols,
                  std::vector<ClosedOrbit> orbits)
-      : context_(context),
-        room_(room),
-        symbols_(symbols),
-        orbits_(std::move(orbits)),
-        symmetries_(symmetries(room)) {
+      : context_(context), room_(room), symbols_(symbols), orbits_(std::move(orbits)) {
     for (const ClosedOrbit& orbit : orbits_) {
       ++counts_[orbit.word.size()][orbit.verdict];
       ++totals_[orbit.verdict];
@@ -270,7 +266,7 @@ class PeriodicOrbits {
   const MirrorRoom& room_;
   std::size_t symbols_;
   std::vector<ClosedOrbit> orbits_;
-  std::vector<Symmetry> symmetries_;
+  std::vector<Symmetry> symmetries_ = symmetries(room_);
   std::map<std::size_t, std::map<Verdict, std::uint64_t>> counts_;
   std::map<Verdict, std::uint64_t> totals_;
   std::map<std::size_t, std::uint64_t> reduced_;

@@ -81,9 +81,7 @@ UnitPoint in_pixel(const Film& film, std::uint64_t pixel, double across, double 
 }  // namespace
 
 PlaceStarts::PlaceStarts(const ExperimentContext& context, const Room& room, PixelMap usual)
-    : room_(room),
-      window_(room.state().window),
-      map_(context.map == PixelMap::usual ? usual : context.map) {
+    : room_(room), map_(context.map == PixelMap::usual ? usual : context.map) {
   const std::vector<RayState> rays = ray_states(room.scene(), room.state());
   ray_ = rays.empty() ? Ray{window_.centre(), {1, 0}} : rays.front().start;
   ray_.direction = unit(ray_.direction);

@@ -35,7 +35,7 @@ class PlaceStarts {
 
  private:
   const Room& room_;
-  const Bounds& window_;
+  const Bounds& window_ = room_.state().window;
   PixelMap map_;
   Ray ray_;
 };

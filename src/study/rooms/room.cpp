@@ -25,15 +25,7 @@ Sign side_of_wall(const Surfaces& walls, std::uint32_t surface, const Vec2& poin
 
 }  // namespace
 
-Room::Room(const Scene& scene)
-    : scene_(scene),
-      state_(at(Timeline(scene, scene.seed, 1), 1)),
-      world_(build_world(scene, state_)),
-      glass_(scene, world_),
-      solids_(scene, state_),
-      places_(walls()),
-      materials_(world_.materials()) {
-  before_.push_back(0);
+Room::Room(const Scene& scene) : scene_(scene), state_(at(Timeline(scene, scene.seed, 1), 1)) {
   for (std::uint32_t i = 0; i < walls().size(); ++i) {
     counted_.push_back(counted_wall(i));
     has_copies_ |= counted_.back() != i;

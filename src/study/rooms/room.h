@@ -75,13 +75,13 @@ class Room {
 
   const Scene& scene_;
   FrameState state_;
-  World world_;
-  Glass glass_;
-  Solids solids_;
-  WallPlaces places_;
-  std::vector<Material> materials_;
+  World world_ = build_world(scene_, state_);
+  Glass glass_{scene_, world_};
+  Solids solids_{scene_, state_};
+  WallPlaces places_{walls()};
+  std::vector<Material> materials_ = world_.materials();
   std::vector<std::array<double, 2>> weights_;  // by surface, of its positive side and the other
-  std::vector<double> before_;                  // length of the walls before each
+  std::vector<double> before_{0};               // length of the walls before each
   std::vector<std::uint32_t> counted_;          // by surface: itself, or that of which it is a copy
   bool has_copies_ = false;
   std::unique_ptr<OrbitTracer> orbits_;
