@@ -16,6 +16,7 @@
 #include "app/options/resource_limits.h"
 #include "app/report/report.h"
 #include "base/descriptor.h"
+#include "base/entry_named.h"
 #include "base/isa.h"
 #include "base/left_out.h"
 #include "base/module_file.h"
@@ -66,11 +67,7 @@ std::vector<Option> options_of(const Verb& verb) {
   return options;
 }
 
-const Verb* find_verb(const std::string& name) {
-  for (const Verb* verb : all_verbs())
-    if (name == verb->name) return verb;
-  return nullptr;
-}
+const Verb* find_verb(const std::string& name) { return entry_named(all_verbs(), name); }
 
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/entry_named.h"
+
 namespace flatray {
 
 #include "pictures.inc"  // picture_formats()
@@ -24,7 +26,7 @@ const PictureFormat* first_that(const Is& is) {
 }  // namespace
 
 const PictureFormat* find_picture_format(std::string_view name) {
-  return first_that([&](const PictureFormat* format) { return format->name == name; });
+  return entry_named(picture_formats(), name);
 }
 
 const PictureFormat* picture_format_of(std::span<const std::byte> content) {

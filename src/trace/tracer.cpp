@@ -1,9 +1,8 @@
 #include "trace/tracer.h"
 
-#include <algorithm>
-
 #include "base/check.h"
 #include "base/counted.h"
+#include "base/entry_named.h"
 
 namespace flatray {
 namespace {
@@ -16,12 +15,7 @@ constexpr std::size_t kFewSegments = 24;
 
 #include "tracers.inc"  // tracers()
 
-const Tracer* find_tracer(std::string_view name) {
-  const std::vector<const Tracer*> all = tracers();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Tracer* each) { return each->name == name; });
-  return found == all.end() ? nullptr : *found;
-}
+const Tracer* find_tracer(std::string_view name) { return entry_named(tracers(), name); }
 
 TracerChoice choose_tracer(const Surfaces& walls, const Tracer* asked) {
   if (asked != nullptr) return {asked, "asked for"};

@@ -1,20 +1,13 @@
 #include "app/options/backend_choice.h"
 
-#include <algorithm>
-
 #include "app/interrupt.h"
+#include "base/entry_named.h"
 #include "base/left_out.h"
 
 namespace flatray {
 namespace {
 
 constexpr const char* kSoftware = "software";
-
-const Backend* find_backend(const std::string& name) {
-  for (const Backend* one : backends())
-    if (name == one->name) return one;
-  return nullptr;
-}
 
 Result<std::string> read_backend(const std::string& text, const Place& where) {
   if (const auto problem = if_left_out(where, "backend", text))
@@ -44,7 +37,7 @@ void BackendOptions::rows(OptionTable& row) {
 
 Result<std::shared_ptr<const Renderer>> chosen_renderer(const BackendOptions& options,
                                                         unsigned threads) {
-  const Backend* backend = find_backend(options.name == "auto" ? "gl" : options.name);
+  const Backend* backend = entry_named(backends(), options.name == "auto" ? "gl" : options.name);
   if (options.name == kSoftware || backend == nullptr) return nullptr;
   expect_crashes_of_gl();
   Result<std::unique_ptr<Renderer>> opened = backend->open({threads, options.samples});
@@ -56,13 +49,13 @@ Result<std::shared_ptr<const Renderer>> chosen_renderer(const BackendOptions& op
 Result<std::unique_ptr<Renderer>> open_backend(const std::string& name,
                                                const BackendChoice& choice) {
   expect_crashes_of_gl();
-  if (const Backend* backend = find_backend(name)) return backend->open(choice);
+  if (const Backend* backend = entry_named(backends(), name)) return backend->open(choice);
   return fail(named_place(name), "is not a back end of this build", "", Trouble::unavailable);
 }
 
 std::string backends_text() {
   std::string text = kSoftware;
-  if (const Backend* gl = find_backend("gl")) {
+  if (const Backend* gl = entry_named(backends(), "gl")) {
     expect_crashes_of_gl();
     const auto opened = gl->open({1, 4});
     text += opened ? ", " + (*opened)->description() : std::string("; no gl");

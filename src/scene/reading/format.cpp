@@ -5,17 +5,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/entry_named.h"
 #include "scene/load.h"
 
 namespace flatray {
 
 #include "formats.inc"  // formats()
 
-const Format* find_format(std::string_view name) {
-  for (const Format* format : formats())
-    if (format->name == name) return format;
-  return nullptr;
-}
+const Format* find_format(std::string_view name) { return entry_named(formats(), name); }
 
 std::string extension_of(std::string_view file_name) {
   const std::size_t point = file_name.rfind('.');

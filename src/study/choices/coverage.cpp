@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/check.h"
+#include "base/entry_named.h"
 #include "base/processor_time.h"
 #include "image/compare.h"
 #include "render/backend.h"
@@ -50,16 +51,14 @@ Setting samples(const std::shared_ptr<Film>& film, int side) {
 
 // What GL makes of it, or why there is none.
 void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
-  const auto all = backends();
-  const auto found = std::ranges::find_if(
-      all, [](const Backend* backend) { return std::string_view(backend->name) == "gl"; });
-  if (found == all.end()) {
+  const Backend* backend = entry_named(backends(), "gl");
+  if (backend == nullptr) {
     made.missing.push_back({"--backend gl", "this build has none"});
     return;
   }
   for (const unsigned count : {4U, 16U}) {
     const std::string words = fmt::format("--backend gl --samples {}", count);
-    auto opened = (*found)->open({film->threads, count});
+    auto opened = backend->open({film->threads, count});
     const auto drawn = [&]() -> Result<void> {
       if (!opened) return tl::unexpected(opened.error());
       return (*opened)->draw(film->list, {std::nullopt, film->threads}, film->drawn);

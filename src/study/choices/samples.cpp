@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/check.h"
+#include "base/entry_named.h"
 #include "study/accuracy/accuracy.h"
 #include "study/rooms/room.h"
 #include "study/statistics/estimate.h"
@@ -30,11 +31,7 @@ struct Paths {
   double expected = 0;
 };
 
-const Experiment* experiment() {
-  for (const Experiment* one : experiments())
-    if (std::string_view(one->name) == "mean-free-path") return one;
-  return nullptr;
-}
+const Experiment* experiment() { return entry_named(experiments(), "mean-free-path"); }
 
 // Root mean square over the seeds.
 Outcome judge(const Paths& paths) {

@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <set>
 
+#include "base/entry_named.h"
 #include "base/table.h"
 #include "collide/scene_timeline.h"
 #include "image/compare.h"
@@ -13,20 +13,16 @@
 namespace flatray::experiment_entries {
 namespace {
 
-constexpr const char* kBackend = "gl";
-
 class Study {
  public:
   explicit Study(const ExperimentContext& context)
       : context_(context), plan_(make_plan(context.scene, false)) {}
 
   Result<void> run(unsigned samples) {
-    const auto backends = flatray::backends();
-    const auto found = std::ranges::find_if(
-        backends, [](const Backend* one) { return std::string_view(one->name) == kBackend; });
-    if (found == backends.end())
+    const Backend* backend = entry_named(flatray::backends(), "gl");
+    if (backend == nullptr)
       return fail({}, "this build has no GL back end", "", Trouble::unavailable);
-    FLATRAY_TRY(renderer, (*found)->open({context_.threads, samples}));
+    FLATRAY_TRY(renderer, backend->open({context_.threads, samples}));
     opened_.push_back((*renderer)->description());
     const unsigned last = context_.scene.frames;
     FLATRAY_TRY(timeline, make_timeline(context_.scene, context_.scene.seed, last));
