@@ -90,7 +90,7 @@ Proof passes_all_on_line(const MirrorRoom& room, const Unfolded& unfolded, const
   const Circle disc = circle_of(unfolded.bounces[0].arc->curve);
   const Pair<Near> on = line->through.value_or(near(first)), way = line->way;
   const Near part = dot(near(disc.centre) - on, way) / dot(way, way);
-  const Pair<Near> from{on.x + part * way.x, on.y + part * way.y}, off = near(disc.centre) - from;
+  const Pair<Near> from = on + part * way, off = near(disc.centre) - from;
   return is_positive(Near(disc.radius) * disc.radius - dot(off, off)) &
          passes_all(from, way, others);
 }

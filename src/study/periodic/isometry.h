@@ -27,7 +27,7 @@ struct Isometry {
 template <class Number>
 Pair<Number> mirrored(const Pair<Number>& along, const Pair<Number>& v) {
   const Number share = Number(2) * dot(along, v) / dot(along, along);
-  return {share * along.x - v.x, share * along.y - v.y};
+  return share * along - v;
 }
 
 /// The reflection in the whole line of a wall.

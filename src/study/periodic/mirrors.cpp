@@ -14,8 +14,7 @@ Pair<Near> form_of(const Ellipse& curve, const Pair<Near>& w) {
 Proof between_ends(const Near& part) { return is_positive(part) & is_positive(Near(1) - part); }
 
 Pair<Near> part_way(const Chord& chord, const Near& part) {
-  const Pair<Near> way = chord.to - chord.from;
-  return {chord.from.x + part * way.x, chord.from.y + part * way.y};
+  return chord.from + part * (chord.to - chord.from);
 }
 
 Proof is_met(const Segment& wall, bool stands_on, const Chord& chord) {

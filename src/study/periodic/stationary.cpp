@@ -88,14 +88,14 @@ CurvePlace curve_place(const CurvedBounce& bounce, const Near& q) {
   const Ellipse& curve = bounce.arc->curve;
   const Near x(bounce.at.x()), y(bounce.at.y()), size = square_root(x * x + y * y);
   const Near a = x / size, b = y / size, one(1), two(2), four(4);
-  const Pair<Near> u{curve.u.x(), curve.u.y()}, v{curve.v.x(), curve.v.y()};
+  const Pair<Near> u = near(curve.u), v = near(curve.v);
   const Pair<Near> to = a * u + b * v, across = a * v - b * u;
   const Near square = q * q, denom = one / (one + square), denom2 = denom * denom;
   const auto mix = [&](const Near& along, const Near& turned) {
     return along * to + turned * across;
   };
   const Pair<Near> from_centre = mix((one - square) * denom, two * q * denom);
-  return {{Near(curve.centre.x()) + from_centre.x, Near(curve.centre.y()) + from_centre.y},
+  return {near(curve.centre) + from_centre,
           mix(-(four * q * denom2), two * (one - square) * denom2),
           mix((Near(12) * square - four) * denom2 * denom,
               four * q * (square - Near(3)) * denom2 * denom)};

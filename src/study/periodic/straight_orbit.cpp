@@ -49,7 +49,7 @@ std::optional<Vector> way_around(const Isometry<Rational>& around, bool turned) 
   if (is_null(axis)) axis = {0.0, 1.0};
   const Rational share = dot(shift, axis) / dot(axis, axis);
   if (share.sign() == Sign::zero) return std::nullopt;
-  return Vector{share * axis.x, share * axis.y};
+  return share * axis;
 }
 
 Isometry<Rational> image_by(const MirrorRoom& room, const Word& straight) {
@@ -79,7 +79,7 @@ void follow(const MirrorRoom& room, const Word& word, Strip& strip) {
       Rational part[2], place[2];
       for (const int end : {0, 1}) {
         part[end] = -cross(along, at[end] - a) / rate;
-        at[end] = at[end] + Vector{part[end] * way.x, part[end] * way.y};
+        at[end] = at[end] + part[end] * way;
         place[end] = dot(at[end] - a, along) / dot(along, along);
       }
       strip.expect(part[0], part[1], "comes to its walls in another order");
@@ -94,7 +94,7 @@ void follow(const MirrorRoom& room, const Word& word, Strip& strip) {
 Judged judge_part(const MirrorRoom& room, const Word& word, const Strip& strip, const Near& part) {
   const Mirror& first = room.mirrors[word[0]];
   const Pair<Near> a = near(end_of(first.line, false)), b = near(end_of(first.line, true));
-  const Pair<Near> start{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
+  const Pair<Near> start = a + part * (b - a);
   Judged judged;
   judged.points.emplace_back(start.x.value(), start.y.value());
   follow_straight(room, {start, start, first.surface, first.surface}, near(strip.way),

@@ -88,15 +88,13 @@ void follow_straight(const MirrorRoom& room, const Chord& ends, Pair<Near> way,
     const auto note = [&](Proof found, const char* words) {
       judged.note(judged.clear, found, fmt::format("{} wall {}", words, number + 1));
     };
-    const Pair<Near> a{mirror.line.a.x(), mirror.line.a.y()},
-        b{mirror.line.b.x(), mirror.line.b.y()};
-    const Pair<Near> along = b - a;
+    const Pair<Near> a = near(mirror.line.a), along = near(mirror.line.b) - a;
     const Near side = cross(along, chord.from - a), rate = cross(along, way), part = -side / rate;
     note(is_on_side(mirror, side, side), "comes from behind to");
     const Near beyond = side + left * rate;
     note((is_positive(side) & is_positive(-beyond)) | (is_positive(-side) & is_positive(beyond)),
          "does not come to");
-    chord.to = {chord.from.x + part * way.x, chord.from.y + part * way.y};
+    chord.to = chord.from + part * way;
     chord.to_surface = mirror.surface;
     note(is_between(dot(chord.to - a, along), 0.0, dot(along, along)), "runs past an end of");
     if (judged.clear == Proof::no) return;
