@@ -101,8 +101,7 @@ std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std
   const Shape& shape = shape_of(scene, state, entity);
   const Pose place = entity_pose(state, entity);
   std::vector<OutlineEdge> edges = outline(shape);
-  std::ranges::stable_sort(
-      edges, [](const OutlineEdge& a, const OutlineEdge& b) { return a.number < b.number; });
+  std::ranges::stable_sort(edges, {}, &OutlineEdge::number);
   std::vector<NamedRay> rays;
   const std::string name = entity_name(scene, entity);
   const auto add = [&](const char* what, auto number, const Segment& edge) {

@@ -127,13 +127,6 @@ tl::unexpected<Diagnostics> bad_manifest(const std::string& what) {
   return fail(named_place(kManifest), what, fmt::format("expected {}", kSchema));
 }
 
-bool same_file(const GoldenRow& a, const GoldenRow& b) { return a.file() == b.file(); }
-
-void sort_by_file(std::vector<GoldenRow>& rows) {
-  std::ranges::sort(rows,
-                    [](const GoldenRow& a, const GoldenRow& b) { return a.file() < b.file(); });
-}
-
 std::string without_extension(const fs::path& path) {
   return (path.parent_path() / path.stem()).generic_string();
 }
@@ -200,8 +193,8 @@ Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
   Diagnostics problems;
   for (const JsonValue& value : *values)
     rows.push_back(RowReader(value, fmt::format("row {}", rows.size() + 1), problems).read());
-  sort_by_file(rows);
-  if (const auto twice = std::adjacent_find(rows.begin(), rows.end(), same_file);
+  std::ranges::sort(rows, {}, &GoldenRow::file);
+  if (const auto twice = std::ranges::adjacent_find(rows, {}, &GoldenRow::file);
       twice != rows.end() && problems.empty())
     return bad_manifest(fmt::format("has two rows of {}", twice->file()));
   if (!problems.empty()) return tl::unexpected(std::move(problems));
@@ -210,7 +203,7 @@ Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
 
 Result<void> write_goldens(const fs::path& root, std::vector<GoldenRow> rows,
                            const Outputs& outputs) {
-  sort_by_file(rows);
+  std::ranges::sort(rows, {}, &GoldenRow::file);
   std::string lines;
   for (const GoldenRow& row : rows)
     lines += (lines.empty() ? "" : ",\n") + json_text(as_value(row));

@@ -30,9 +30,8 @@ std::vector<GoldenRow> wanted_rows(const GoldenRequest& request,
                                    const std::vector<GoldenRow>& before, const Scene& scene) {
   FilmSize size{scene.film.width, scene.film.height};
   if (!fits(size) && !before.empty()) size = {before.front().width, before.front().height};
-  std::vector<unsigned> frames;
-  frames.reserve(before.size());
-  for (const GoldenRow& row : before) frames.push_back(row.frame);
+  std::vector<unsigned> frames(before.size());
+  std::ranges::transform(before, frames.begin(), &GoldenRow::frame);
   if (frames.empty()) frames = {1};
   std::vector<GoldenRow> wanted;
   for (const unsigned frame : request.frames.value_or(frames)) {
@@ -105,8 +104,7 @@ Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, Gol
                 "two renders must be equal: that is a bug, and no golden can stand for it")});
   row.drift = row.tolerance.text();
   row.pixels = pixel_hash(picture.after);
-  const auto old = std::ranges::find_if(
-      before, [&](const GoldenRow& other) { return other.frame == row.frame; });
+  const auto old = std::ranges::find(before, row.frame, &GoldenRow::frame);
   if (old != before.end())
     if (Result<Image> image = read_png((root / old->file()).string())) picture.before = *image;
   if (picture.same() && old->pixels == row.pixels) row.why = old->why;

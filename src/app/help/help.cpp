@@ -69,9 +69,8 @@ std::vector<Topic> help_topics() {
   std::vector<Topic> topics;
   for (const WrittenTopic& one : written_topics()) topics.push_back({one.name, one.summary});
   for (const TableInfo& table : vocabulary()) {
-    const bool known =
-        std::ranges::any_of(topics, [&](const Topic& topic) { return topic.name == table.table; });
-    if (!known) topics.push_back({table.table, summary_of(table)});
+    if (std::ranges::find(topics, table.table, &Topic::name) == topics.end())
+      topics.push_back({table.table, summary_of(table)});
   }
   return topics;
 }

@@ -32,8 +32,7 @@ struct Site {
 
 bool has_keys(const TableInfo& table, const Takes& takes) {
   return std::ranges::all_of(takes.keys, [&](const auto& wanted) {
-    return std::ranges::any_of(table.keys,
-                               [&](const KeyInfo& key) { return wanted.first == key.name; });
+    return std::ranges::find(table.keys, wanted.first, &KeyInfo::name) != table.keys.end();
   });
 }
 
@@ -75,8 +74,7 @@ JsonValue own_table_schema(const Site& site, const Takes& takes) {
 
 bool is_kind(std::string_view placeholder) {
   const std::vector<KindInfo> all = kinds();
-  return std::ranges::any_of(all,
-                             [&](const KindInfo& kind) { return kind.placeholder == placeholder; });
+  return std::ranges::find(all, placeholder, &KindInfo::placeholder) != all.end();
 }
 
 // "shape.box": what a table of the language is called is not the name of a kind.

@@ -94,8 +94,7 @@ void add_project_config(std::span<const Option> options, Arguments& arguments,
   Diagnostics problems = parsed ? Diagnostics{} : parsed.error();
   const std::vector<std::string> known = all_options();
   for (const Member& member : parsed ? (*parsed)->root.members : std::vector<Member>{}) {
-    const auto option =
-        std::ranges::find_if(options, [&](const Option& one) { return member.key == one.name; });
+    const auto option = std::ranges::find(options, member.key, &Option::name);
     if (!std::ranges::binary_search(known, member.key)) {
       problems.push_back(unknown_word(member.where, "option", member.key, known));
     } else if (option != options.end()) {

@@ -155,7 +155,7 @@ Plot::Series best_of(const ChoiceReport& report, double unit, std::string ink) {
   Plot::Series best{"", {}, false, std::move(ink), 1};
   for (const AccuracyPoint& point : report.points)
     if (point.best) best.points.push_back({point.seconds, point.outcome.error / unit});
-  std::ranges::sort(best.points, [](const auto& a, const auto& b) { return a.x < b.x; });
+  std::ranges::sort(best.points, {}, &Plot::Point::x);
   return best;
 }
 

@@ -107,10 +107,8 @@ std::uint64_t find_truth(Fates& fates, unsigned threads, double seconds) {
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const auto fates = std::make_shared<Fates>(context.scene, context.seed);
   const std::uint64_t bounces = find_truth(*fates, context.threads, reference_budget(context));
-  const auto stay = std::ranges::count_if(
-      fates->truth, [](const PixelOutcome& p) { return p.kind == Kind::limit; });
-  const auto solid = std::ranges::count_if(
-      fates->truth, [](const PixelOutcome& p) { return p.kind == Kind::solid; });
+  const auto stay = std::ranges::count(fates->truth, Kind::limit, &PixelOutcome::kind);
+  const auto solid = std::ranges::count(fates->truth, Kind::solid, &PixelOutcome::kind);
   const auto count = static_cast<std::ptrdiff_t>(fates->truth.size()) - solid;
   if (stay == count)
     return fail(context.scene.where,

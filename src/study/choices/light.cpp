@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include "base/processor_time.h"
 #include "image/compare.h"
@@ -50,9 +51,7 @@ struct Lit {
 };
 
 double mean(const Fluence& light) {
-  double sum = 0;
-  for (const double one : light) sum += one;
-  return sum / static_cast<double>(light.size());
+  return std::accumulate(light.begin(), light.end(), 0.0) / static_cast<double>(light.size());
 }
 
 double rms(const Fluence& a, const Fluence& b) {

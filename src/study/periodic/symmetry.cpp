@@ -142,8 +142,7 @@ std::vector<Symmetry> symmetries(const MirrorRoom& room) {
     about += marks.back().middle / static_cast<double>(room.mirrors.size());
   }
   const auto far = [&](const Mark& mark) { return (mark.middle - about).squaredNorm(); };
-  const auto first = std::ranges::max_element(
-      marks, [&](const Mark& a, const Mark& b) { return far(a) < far(b); });
+  const auto first = std::ranges::max_element(marks, {}, far);
   if (first == marks.end() || far(*first) == 0) return all;
   const double size = far(*first), reach = kAlike * std::sqrt(size);
   const Vec2 from = first->middle - about;

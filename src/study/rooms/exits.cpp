@@ -44,8 +44,7 @@ Exits::Exits(const ExperimentContext& context, const Room& room,
 }
 
 void Exits::add(const PixelOutcome& one, bool is_late) {
-  const auto hole = std::find_if(holes_.begin(), holes_.end(),
-                                 [&](const Hole& h) { return h.surface == one.surface; });
+  const auto hole = std::ranges::find(holes_, one.surface, &Hole::surface);
   if (hole == holes_.end()) return;
   const WallPlaces& places = room_.places();
   const double along = places.position(one.surface, one.at) / places.length(one.surface);
@@ -67,9 +66,7 @@ Measure Exits::mean(std::string name, const std::function<double(const PixelOutc
     if (drawn_[i].kind == Kind::absorbed && drawn_[i].bounces >= from)
       sums.add(i, of(drawn_[i]), 1);
   Measure measure = sums.all().measure(std::move(name));
-  const auto stay = static_cast<std::size_t>(
-      std::count_if(drawn_.begin(), drawn_.end(),
-                    [](const PixelOutcome& one) { return one.kind == Kind::limit; }));
+  const auto stay = std::ranges::count(drawn_, Kind::limit, &PixelOutcome::kind);
   if (late_ && stay == 0) return measure;
   withhold_error(measure,
                  stay > 0 ? fmt::format("no error: {} drawn orbits stay for all bounces", stay)

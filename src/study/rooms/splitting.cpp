@@ -40,9 +40,8 @@ class NextLevel : public OrbitSink {
 };
 
 std::vector<double> ways_of(const std::vector<Walker>& walkers) {
-  std::vector<double> ways;
-  ways.reserve(walkers.size());
-  for (const Walker& one : walkers) ways.push_back(one.way);
+  std::vector<double> ways(walkers.size());
+  std::ranges::transform(walkers, ways.begin(), &Walker::way);
   return ways;
 }
 

@@ -147,8 +147,7 @@ std::vector<Margin> margins(const Scene& scene, std::uint64_t seed, std::uint64_
   std::vector<Margin> all =
       scene.rays.empty() ? of_random(scene, state, seed, count) : of_rays(scene, state);
   std::erase_if(all, [](const Margin& margin) { return margin.wall.empty(); });
-  std::ranges::stable_sort(
-      all, [](const Margin& a, const Margin& b) { return a.distance < b.distance; });
+  std::ranges::stable_sort(all, {}, &Margin::distance);
   return all;
 }
 
