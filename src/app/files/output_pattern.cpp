@@ -169,15 +169,18 @@ std::optional<std::filesystem::path> OutputPattern::link_chosen_by(std::string_v
   return std::nullopt;
 }
 
+std::string plain_letters(std::string text) {
+  for (char& c : text)
+    if (!is_letter(c) && !is_digit(c) && c != '_' && c != '-' && c != '.') c = '_';
+  return text;
+}
+
 Result<std::string> plain_name(std::string_view scene) {
   if (scene.size() > kLongestName)
     return usage_error(named_place(fmt::format("{}...", scene.substr(0, kShownBytes))),
                        fmt::format("the scene's name has {} bytes", scene.size()),
                        fmt::format("at most {} can name the output; say -o FILE", kLongestName));
-  std::string name(scene);
-  for (char& c : name) {
-    if (!is_letter(c) && !is_digit(c) && c != '_' && c != '-' && c != '.') c = '_';
-  }
+  std::string name = plain_letters(std::string(scene));
   if (name.empty()) return std::string("scene");
   if (name.front() == '.' || name.front() == '-') name.front() = '_';
   if (name.back() == '.') name.back() = '_';

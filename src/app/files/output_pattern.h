@@ -55,6 +55,8 @@ class OutputPattern {
   FramePlace place_;
 };
 
+/// A text in which letters, digits, '_', '-' and '.' stay, and any other byte becomes '_'.
+std::string plain_letters(std::string text);
 /// A scene's name as part of a path: letters, digits, '_', '-' and inner '.' stay, any other byte
 /// becomes '_', so it can neither leave the output folder nor hide in it nor be a device. Error
 /// Trouble::usage for more than kLongestName bytes.

@@ -4,23 +4,18 @@
 #include <set>
 #include <vector>
 
+#include "app/files/output_pattern.h"
+
 namespace flatray {
 namespace {
 
 constexpr std::size_t kLongestStem = 100;
 
-bool is_plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '-' || c == '.';
-}
-
 // Names of things in a scene may hold anything; a file is called by plain letters of them, and by a
 // number where another is called the same.
 std::string plain_name(const std::string& name, std::set<std::string>& taken) {
   const std::size_t dot = std::min(name.rfind('.'), name.size());
-  std::string stem = name.substr(0, std::min(dot, kLongestStem));
-  std::replace_if(
-      stem.begin(), stem.end(), [](char c) { return !is_plain(c); }, '_');
+  const std::string stem = plain_letters(name.substr(0, std::min(dot, kLongestStem)));
   const std::string extension = name.substr(dot);
   std::string plain = stem + extension;
   for (int number = 2; !taken.insert(plain).second; ++number)
