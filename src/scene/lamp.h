@@ -40,4 +40,10 @@ std::set<double> key_times(const Scene& scene, const KeptArguments& kept);
 /// Registered kinds by name.
 std::vector<const LampType*> lamp_types();
 
+/// Curves of light by the words of light.tone.
+inline constexpr Word<ToneCurve> kToneCurves[] = {{"linear", ToneCurve::linear},
+                                                  {"soft", ToneCurve::soft},
+                                                  {"filmic", ToneCurve::filmic},
+                                                  {"gamma", ToneCurve::gamma}};
+
 }  // namespace flatray

@@ -11,6 +11,7 @@
 #include "base/counted.h"
 #include "base/file.h"
 #include "render/light/light_picture.h"
+#include "scene/lamp.h"
 
 namespace flatray {
 namespace {
@@ -79,8 +80,7 @@ std::optional<std::string> misfit_of_setting(const FilmFile& film) {
       !within("exposure", std::numeric_limits<double>::denorm_min(), 1e30))
     return "its exposure is not above 0 and at most 1e30";
   if (!within("gamma", 0.1, 10)) return "its gamma is not between 0.1 and 10";
-  if (std::none_of(std::begin(kToneCurves), std::end(kToneCurves),
-                   [&](ToneCurve curve) { return is("tone", name(curve)); }))
+  if (std::ranges::none_of(kToneCurves, [&](const auto& word) { return is("tone", word.first); }))
     return "its tone is unknown";
   return std::nullopt;
 }

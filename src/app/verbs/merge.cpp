@@ -14,14 +14,10 @@
 #include "base/number_text.h"
 #include "image/hdr.h"
 #include "render/light/light_picture.h"
+#include "scene/lamp.h"
 
 namespace flatray::verbs {
 namespace {
-
-constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear},
-                                      {"soft", ToneCurve::soft},
-                                      {"filmic", ToneCurve::filmic},
-                                      {"gamma", ToneCurve::gamma}};
 
 struct Exposure {
   std::optional<double> value;  ///< nullopt: auto
@@ -60,7 +56,7 @@ struct Options : Arguments {
         &parse_target);
     row("--exposure E", "of a .png: what light of 1 is shown as, or auto, instead of the scene's",
         exposure, &parse_exposure);
-    row("--tone", "of a .png, instead of the scene's", tone, kTones);
+    row("--tone", "of a .png, instead of the scene's", tone, kToneCurves);
     row(kErrorImageRow);
     row("--max-bytes N", "most bytes of a film", max_bytes, 1, std::uint64_t{1} << 40);
     row(kForceRow);
@@ -89,8 +85,8 @@ LightSettings look(const Options& options, const FilmFile& film) {
   light.exposure = setting.number_of("exposure");
   light.gamma = setting.number_of("gamma").value_or(light.gamma);
   const std::string tone = setting.text_of("tone");
-  for (const ToneCurve one : kToneCurves)
-    if (tone == name(one)) light.tone = one;
+  for (const auto& [word, curve] : kToneCurves)
+    if (tone == word) light.tone = curve;
   if (options.exposure) light.exposure = options.exposure->value;
   light.tone = options.tone.value_or(light.tone);
   return light;

@@ -34,16 +34,8 @@ double automatic_exposure(std::span<const double> fluence) {
 }
 
 const char* name(ToneCurve curve) {
-  switch (curve) {
-    case ToneCurve::linear:
-      return "linear";
-    case ToneCurve::soft:
-      return "soft";
-    case ToneCurve::filmic:
-      return "filmic";
-    case ToneCurve::gamma:
-      return "gamma";
-  }
+  for (const auto& [word, one] : kToneCurves)
+    if (one == curve) return word;
   unreachable();
 }
 

@@ -15,8 +15,6 @@ LightPicture light_picture(std::span<const double> counts, double unit, const Li
 /// The exposure at which one of a hundred pixels that light crosses is 1 or brighter; 1 where none is.
 double automatic_exposure(std::span<const double> fluence);
 
-inline constexpr ToneCurve kToneCurves[] = {ToneCurve::linear, ToneCurve::soft, ToneCurve::filmic,
-                                            ToneCurve::gamma};
 const char* name(ToneCurve curve);
 
 /// A channel of exposed light as it is shown, from 0 to 1 where the curve ends there.

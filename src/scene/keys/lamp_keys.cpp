@@ -210,10 +210,6 @@ void read_bounces(Builder& builder, const Field& field, LightSettings& light) {
   light.bounces_chosen = true;
 }
 
-constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear},
-                                      {"soft", ToneCurve::soft},
-                                      {"filmic", ToneCurve::filmic},
-                                      {"gamma", ToneCurve::gamma}};
 constexpr Word<LightSampler> kSamplers[] = {{"sorted", LightSampler::sorted},
                                             {"random", LightSampler::random}};
 constexpr Word<LightEstimator> kEstimators[] = {{"auto", LightEstimator::automatic},
@@ -227,7 +223,7 @@ constexpr Key<LightSettings> kLightKeys[] = {
     {{"scrambles", "whole number", "1"}, &read_scrambles},
     {{"exposure", "number or \"auto\"", "\"auto\""}, &read_exposure},
     {{"tone", R"("linear", "soft", "filmic" or "gamma")", "\"soft\""},
-     &set_word<&LightSettings::tone, kTones>},
+     &set_word<&LightSettings::tone, kToneCurves>},
     {{"gamma", "number", "2.2"}, &read_gamma},
     {{"sampler", R"("sorted" or "random")", "\"sorted\""},
      &set_word<&LightSettings::sampler, kSamplers>},
