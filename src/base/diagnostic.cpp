@@ -106,6 +106,12 @@ std::string called(std::string_view what, std::string_view name, const Place& wh
   return fmt::format("{} of line {}", what, where.source->position(where.offset).line);
 }
 
+std::string comma_list(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(word.size() / 3, 1) + 1;

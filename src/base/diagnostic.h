@@ -36,4 +36,7 @@ std::string called(std::string_view what, std::string_view name, const Place& wh
 /// mean".
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
+/// "box, circle, convex"
+std::string comma_list(const std::vector<std::string>& words);
+
 }  // namespace flatray

@@ -43,12 +43,6 @@ std::vector<std::string_view> split(std::string_view text, char at) {
   }
 }
 
-std::string comma_list(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
-}
-
 namespace {
 
 Result<std::uint64_t> parse_side(std::string_view text, const char* side, const Place& where,

@@ -49,8 +49,7 @@ inline auto time_up_to(double most) {
 /// Gives a text as it is.
 inline Result<std::string> as_text(const std::string& text, const Place&) { return text; }
 
-/// Pieces of `text` between the characters `at`; words with commas between.
+/// Pieces of `text` between the characters `at`.
 std::vector<std::string_view> split(std::string_view text, char at);
-std::string comma_list(const std::vector<std::string>& words);
 
 }  // namespace flatray

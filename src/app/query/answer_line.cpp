@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include "app/options/arguments.h"
-#include "app/options/option_values.h"
 #include "app/query/query.h"
 #include "base/diagnostic.h"
 

@@ -1,6 +1,5 @@
 #include "app/help/completion.h"
 
-#include "app/options/option_values.h"
 #include "app/verb.h"
 
 namespace flatray::verbs {

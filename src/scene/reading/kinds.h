@@ -27,7 +27,7 @@ std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
   if (field.value.members.size() != 1) {
     in.problem(field.value.where,
                fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
-               "write one of: " + joined(names()));
+               "write one of: " + comma_list(names()));
     return std::nullopt;
   }
   const Member& kind = field.value.members.front();

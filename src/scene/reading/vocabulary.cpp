@@ -40,12 +40,6 @@ std::string meant(const std::string& key, const std::vector<std::string>& known)
 
 }  // namespace
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
-}
-
 Diagnostic unknown_word(Place where, std::string_view what, std::string_view word,
                         const std::vector<std::string>& known) {
   if (const auto problem = if_left_out(where, what, word)) return *problem;
@@ -73,7 +67,7 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
     problems.push_back({member.where, message,
                         !near.empty()   ? ""
                         : known.empty() ? "it has no keys: write {}"
-                                        : "known: " + joined(known)});
+                                        : "known: " + comma_list(known)});
   }
 }
 

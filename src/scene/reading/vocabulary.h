@@ -48,7 +48,4 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
 Diagnostic unknown_word(Place where, std::string_view what, std::string_view word,
                         const std::vector<std::string>& known);
 
-/// "box, circle, convex"
-std::string joined(const std::vector<std::string>& words);
-
 }  // namespace flatray

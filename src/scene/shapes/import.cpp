@@ -20,7 +20,7 @@ Result<const Format*> outline_format(Args& args, const std::string& file) {
     if (one->outline != nullptr) known.emplace_back(one->name);
   return fail(args.place(name.empty() ? "file" : "format"),
               fmt::format("'{}' is not an outline this program reads", name.empty() ? file : name),
-              "formats of outlines: " + joined(known));
+              "formats of outlines: " + comma_list(known));
 }
 
 Result<Shape> build(Args& args) {
