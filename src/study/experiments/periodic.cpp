@@ -22,14 +22,10 @@ constexpr double kMostReduced = 1 << 18;  // words looked through for reduced on
 constexpr Verdict kVerdicts[] = {Verdict::proven, Verdict::family, Verdict::pruned,
                                  Verdict::undecided, Verdict::not_found};
 
-JsonValue low_of(const std::optional<Near>& number) {
-  return number ? JsonValue(number->low()) : JsonValue();
-}
-JsonValue high_of(const std::optional<Near>& number) {
-  return number ? JsonValue(number->high()) : JsonValue();
-}
-JsonValue middle_of(const std::optional<Near>& number) {
-  return number ? JsonValue(number->value()) : JsonValue();
+// Its middle, or an end of it; null of nothing.
+template <class Part>
+JsonValue cell(const std::optional<Near>& number, Part part) {
+  return number ? JsonValue(std::invoke(part, *number)) : JsonValue();
 }
 
 // As many as three discs have of two bounces more than twice those of the longest orbit; some 160
@@ -54,8 +50,9 @@ class PeriodicOrbits {
                  std::vector<ClosedOrbit> orbits)
       : context_(context), room_(room), symbols_(symbols), orbits_(std::move(orbits)) {
     for (const ClosedOrbit& orbit : orbits_) {
-      ++counts_[orbit.word.size()][orbit.verdict];
-      ++totals_[orbit.verdict];
+      const auto verdict = static_cast<std::size_t>(orbit.verdict);
+      ++counts_[orbit.word.size()][verdict];
+      ++totals_[verdict];
     }
     expand();
   }
@@ -99,10 +96,7 @@ class PeriodicOrbits {
     return owner.edge >= 0 ? fmt::format("{} {}", name, owner.edge + 1) : name;
   }
 
-  std::uint64_t total(Verdict verdict) const {
-    const auto one = totals_.find(verdict);
-    return one == totals_.end() ? 0 : one->second;
-  }
+  std::uint64_t total(Verdict verdict) const { return totals_[static_cast<std::size_t>(verdict)]; }
 
   // A mean over all orbits needs all of them, and that each wall may follow every other.
   void expand() {
@@ -208,17 +202,14 @@ class PeriodicOrbits {
         seen.push_back(verdict);
         columns.emplace_back(name_of(verdict));
       }
-    if (!reduced_.empty()) columns.emplace_back("by symmetry, proven");
+    const bool by_symmetry = std::ranges::max(reduced_) > 0;
+    if (by_symmetry) columns.emplace_back("by symmetry, proven");
     Table table(columns);
     for (std::size_t n = 1; n <= symbols_; ++n) {
       Values row{std::uint64_t{n}};
-      const auto of = counts_.find(n);
-      for (const Verdict verdict : seen) {
-        const bool some = of != counts_.end() && of->second.contains(verdict);
-        row.emplace_back(some ? of->second.at(verdict) : std::uint64_t{0});
-      }
-      if (!reduced_.empty())
-        row.emplace_back(reduced_.contains(n) ? reduced_.at(n) : std::uint64_t{0});
+      for (const Verdict verdict : seen)
+        row.emplace_back(counts_[n][static_cast<std::size_t>(verdict)]);
+      if (by_symmetry) row.emplace_back(reduced_[n]);
       table.add(std::move(row));
     }
     return table;
@@ -242,9 +233,10 @@ class PeriodicOrbits {
       const auto value = orbit.is_there() ? orbit.eigenvalue() : std::nullopt;
       table.add({room_.text(orbit.word), std::uint64_t{orbit.number},
                  std::uint64_t{orbit.word.size()}, std::string(name_of(orbit.verdict)),
-                 std::uint64_t{words_alike(orbit.word, symmetries_)}, middle_of(length),
-                 low_of(length), high_of(length), stability_of(orbit), middle_of(value),
-                 low_of(value), high_of(value), orbit.why});
+                 std::uint64_t{words_alike(orbit.word, symmetries_)}, cell(length, &Near::value),
+                 cell(length, &Near::low), cell(length, &Near::high), stability_of(orbit),
+                 cell(value, &Near::value), cell(value, &Near::low), cell(value, &Near::high),
+                 orbit.why});
     }
     return table;
   }
@@ -267,9 +259,10 @@ class PeriodicOrbits {
   std::size_t symbols_;
   std::vector<ClosedOrbit> orbits_;
   std::vector<Symmetry> symmetries_ = symmetries(room_);
-  std::map<std::size_t, std::map<Verdict, std::uint64_t>> counts_;
-  std::map<Verdict, std::uint64_t> totals_;
-  std::map<std::size_t, std::uint64_t> reduced_;
+  using Counts = std::array<std::uint64_t, std::size(kVerdicts)>;   // by verdict
+  std::vector<Counts> counts_ = std::vector<Counts>(symbols_ + 1);  // by bounces
+  Counts totals_{};
+  std::vector<std::uint64_t> reduced_ = std::vector<std::uint64_t>(symbols_ + 1);  // by bounces
   std::vector<CycleMeans> means_;
   std::optional<EscapeBounds> bounds_;
   std::string expansion_words_;
