@@ -7,7 +7,6 @@
 
 #include "base/counted.h"
 #include "base/parallel.h"
-#include "transport/near_doubles.h"
 
 namespace flatray {
 namespace {
@@ -58,11 +57,8 @@ std::vector<OrbitStart> in_front_of_walls(const Room& room, const std::vector<Wa
   std::vector<OrbitStart> starts;
   for (const Walker& one : walkers) {
     starts.push_back(one.at);
-    const Sign side = side_of_start(room, one.at);
-    const auto origin = nearest_double(one.at.ray.origin, [&](const Vec2& point) {
-      return room.walls().visit(one.at.departed.surface,
-                                [&](const auto& wall) { return side_of(wall, point) != -side; });
-    });
+    const auto origin = in_front_of(room.walls(), one.at.departed.surface,
+                                    side_of_start(room, one.at), one.at.ray.origin);
     if (origin) starts.back().ray.origin = *origin;
   }
   return starts;

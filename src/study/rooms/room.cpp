@@ -17,13 +17,12 @@
 #include "transport/reflection.h"
 
 namespace flatray {
-namespace {
-
-Sign side_of_wall(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  return walls.visit(surface, [&](const auto& wall) { return side_of(wall, point); });
+std::optional<Vec2> in_front_of(const Surfaces& walls, std::uint32_t surface, Sign side,
+                                const Vec2& place) {
+  return nearest_double(place, [&](const Vec2& point) {
+    return walls.visit(surface, [&](const auto& wall) { return side_of(wall, point) != -side; });
+  });
 }
-
-}  // namespace
 
 Room::Room(const Scene& scene) : scene_(scene), state_(at(Timeline(scene, scene.seed, 1), 1)) {
   for (std::uint32_t i = 0; i < walls().size(); ++i) {
@@ -136,9 +135,7 @@ OrbitStart Room::draw_start_in(const Stretch& all, std::uint64_t seed, std::uint
     const double within = second ? (beyond - length) / other : beyond / first;
     const std::uint32_t surface = wall_in_cell(drawn, within);
     const Sign side = second ? Sign::negative : Sign::positive;
-    const Vec2 place = places_.point(surface, within);
-    const auto origin = nearest_double(
-        place, [&](const Vec2& point) { return side_of_wall(walls(), surface, point) != -side; });
+    const auto origin = in_front_of(walls(), surface, side, places_.point(surface, within));
     if (!origin) continue;
     if (has_copies_ && !solids_.in_chamber(*origin)) continue;
     const Vec2 normal = static_cast<double>(side) * wall_normal(walls(), surface, *origin);

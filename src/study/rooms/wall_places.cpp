@@ -90,6 +90,14 @@ double passed_at(const Way& way, std::span<const double> lengths, double positio
   return from + share * part;
 }
 
+// Both ends of a way, and between them places evenly apart in its parameter.
+template <class Way>
+std::vector<Vec2> evenly_along(const Way& way, int parts) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= parts; ++i) points.push_back(way.at(way.sweep() * i / parts));
+  return points;
+}
+
 // -1 where u, v turn clockwise, else 1.
 double turn_of(const Ellipse& curve) {
   return cross_sign(curve.u, curve.v) == Sign::negative ? -1 : 1;
@@ -132,12 +140,7 @@ class ArcWay {
     const double fast = flatray::length(tangent_at(point));
     return std::fabs(cross(curve_.u, curve_.v)) / (fast * fast * fast);
   }
-  std::vector<Vec2> outline() const {
-    constexpr int kParts = 96;
-    std::vector<Vec2> points;
-    for (int i = 0; i <= kParts; ++i) points.push_back(at(sweep_ * i / kParts));
-    return points;
-  }
+  std::vector<Vec2> outline() const { return evenly_along(*this, 96); }
   // The parameter past the beginning of a point near the wall.
   double parameter(const Vec2& point) const {
     const double turn = sweep_ < 0 ? -kTurn : kTurn;
@@ -195,12 +198,7 @@ class BezierWay {
   double speed(double s) const { return length(tangent_at(wall_, s)); }
   double length_to(double) const { return 0; }  // of even ways alone, as the next
   double parameter_at(double) const { return 0; }
-  std::vector<Vec2> outline() const {
-    constexpr int kParts = 64;
-    std::vector<Vec2> points;
-    for (int i = 0; i <= kParts; ++i) points.push_back(at(static_cast<double>(i) / kParts));
-    return points;
-  }
+  std::vector<Vec2> outline() const { return evenly_along(*this, 64); }
 
  private:
   const Bezier& wall_;
