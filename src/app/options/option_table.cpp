@@ -59,17 +59,6 @@ void OptionTable::operator()(const char* spelling, std::string help, bool& membe
   member = member || has(options_.back().name);
 }
 
-void OptionTable::operator()(const char* spelling, std::string help, std::string& member) {
-  (*this)(spelling, member.empty() ? help : help + fmt_default(member));
-  if (has(options_.back().name)) member = *given_->text(options_.back().name);
-}
-
-void OptionTable::operator()(const char* spelling, std::string help,
-                             std::optional<std::string>& member) {
-  (*this)(spelling, std::move(help));
-  if (has(options_.back().name)) member = given_->text(options_.back().name);
-}
-
 std::optional<std::uint64_t> OptionTable::whole(std::uint64_t low, std::uint64_t high) {
   const std::string& name = options_.back().name;
   if (!has(name)) return std::nullopt;

@@ -59,8 +59,12 @@ class OptionTable {
   /// A flag.
   void operator()(const char* spelling, std::string help, bool& member);
   /// Text as it is.
-  void operator()(const char* spelling, std::string help, std::string& member);
-  void operator()(const char* spelling, std::string help, std::optional<std::string>& member);
+  template <class M>
+  requires std::same_as<M, std::string> || std::same_as<M, std::optional<std::string>>
+  void operator()(const char* spelling, const std::string& help, M& member) {
+    (*this)(spelling, help, member,
+            [](const std::string& text, const Place&) -> Result<std::string> { return text; });
+  }
 
   /// A whole number in [low, high].
   template <class M>
