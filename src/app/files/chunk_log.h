@@ -155,11 +155,10 @@ class TallyLog {
       });
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
       for (const Chunk& one : round)
-        for (std::size_t i = 0; i < one.keys.size(); ++i)
-          if (auto added = add(one.keys[i], one.tallies[i],
-                               time.count() / static_cast<double>(round.size()));
-              !added)
-            return added;
+        for (std::size_t i = 0; i < one.keys.size(); ++i) {
+          FLATRAY_TRY(added, add(one.keys[i], one.tallies[i],
+                                 time.count() / static_cast<double>(round.size())));
+        }
     }
     return {};
   }

@@ -36,8 +36,7 @@ Result<Descriptor> open_locked(const fs::path& path, int flags, const Lock& lock
   fs::create_directories(folder_of(path), error);
   if (error) return cannot("make the folder", folder_of(path), error.value(), Trouble::output);
   for (int pauses = 0; pauses < kMostPauses;) {
-    auto file = open_regular(path, flags | O_RDWR | O_CREAT, "write", Trouble::output);
-    if (!file) return file;
+    FLATRAY_TRY(file, open_regular(path, flags | O_RDWR | O_CREAT, "write", Trouble::output));
     if (lock(*file)) {
       if (is_at(path, *file)) return file;
     } else if (errno == EWOULDBLOCK || errno == EINTR) {

@@ -56,8 +56,7 @@ Result<ReadScene> read_input(const SceneOptions& options, const std::string& pat
                              const std::vector<Override>& more) {
   std::vector<Override> overrides = options.overrides;
   overrides.insert(overrides.end(), more.begin(), more.end());
-  Result<ReadScene> read = read_scene(path, overrides, options.limits, options.seed);
-  if (!read) return read;
+  FLATRAY_TRY(read, read_scene(path, overrides, options.limits, options.seed));
   const Scene& scene = read->loaded.scene;
   // What leaves by a periodic wall in the middle of a pillar would come in where none is, or in a
   // copy.

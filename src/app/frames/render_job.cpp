@@ -125,8 +125,7 @@ class FrameMaker {
 Result<std::string> text_of_manifests(const fs::path& folder) {
   std::string all;
   for (const fs::path& manifest : manifests_in(folder)) {
-    auto text = Journal(manifest).read();
-    if (!text) return text;
+    FLATRAY_TRY(text, Journal(manifest).read());
     all += *text;
   }
   return all;
@@ -230,9 +229,8 @@ Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& 
     FLATRAY_TRY(allowed, outputs.allow(job.path(frame), job.output.format().beginning,
                                        recorded.contains(file)));
   }
-  auto claim = Claim::take(job.folder(), job.output.file_pattern(job.name),
-                           json_text(job.setting()), outputs.force());
-  if (!claim) return claim;
+  FLATRAY_TRY(claim, Claim::take(job.folder(), job.output.file_pattern(job.name),
+                                 json_text(job.setting()), outputs.force()));
   std::vector<fs::path> manifests = manifests_in(job.folder());
   if (std::ranges::find(manifests, job.manifest()) == manifests.end())
     manifests.push_back(job.manifest());

@@ -90,15 +90,13 @@ class Run {
       remove_leftovers(job.folder());
       if (work.frames.empty()) continue;
       if (job.light.error_image)
-        for (const unsigned frame : work.frames)
-          if (auto allowed = outputs.allow(job.light.error_image->path(job.name, frame),
-                                           job.light.error_image->format().beginning);
-              !allowed)
-            return allowed;
+        for (const unsigned frame : work.frames) {
+          FLATRAY_TRY(allowed, outputs.allow(job.light.error_image->path(job.name, frame),
+                                             job.light.error_image->format().beginning));
+        }
       if (!job.output.has_frame()) {
-        const std::filesystem::path path = job.path(work.frames.front());
-        if (auto allowed = outputs.allow(path, job.output.format().beginning); !allowed)
-          return allowed;
+        FLATRAY_TRY(allowed,
+                    outputs.allow(job.path(work.frames.front()), job.output.format().beginning));
         continue;
       }
       FLATRAY_TRY(claim, begin_work(work, outputs, warnings));

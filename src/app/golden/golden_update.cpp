@@ -170,10 +170,8 @@ Result<void> write_update(const fs::path& root, const GoldenUpdate& update,
                           const Outputs& outputs) {
   for (const GoldenUpdate::Picture& picture : update.pictures) {
     if (picture.same()) continue;
-    if (auto written = outputs.write(root / picture.row.file(), picture.png); !written)
-      return written;
-    const std::vector<std::byte> sheet = encode_png(golden_sheet(picture));
-    if (auto written = outputs.write(root / picture.sheet(), sheet); !written) return written;
+    FLATRAY_TRY(written, outputs.write(root / picture.row.file(), picture.png));
+    FLATRAY_TRY(beside, outputs.write(root / picture.sheet(), encode_png(golden_sheet(picture))));
   }
   if (auto written = write_goldens(root, update.rows, outputs); !written) return written;
   for (const GoldenRow& row : update.removed) {
