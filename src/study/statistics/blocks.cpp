@@ -33,9 +33,11 @@ class InOrder {
   const std::function<void(Numbers&&)>& take_;
 };
 
-Result<void> run_in_order(const ExperimentContext& context, std::size_t count,
-                          const std::function<Numbers(std::size_t)>& task,
-                          const std::function<void(Numbers&&)>& take) {
+}  // namespace
+
+Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
+                         const std::function<Numbers(std::size_t)>& task,
+                         const std::function<void(Numbers&&)>& take) {
   RunMonitor silent;
   RunMonitor& monitor = context.monitor != nullptr ? *context.monitor : silent;
   InOrder results(take);
@@ -52,20 +54,12 @@ Result<void> run_in_order(const ExperimentContext& context, std::size_t count,
               fmt::format("stopped after {} of {}", results.there(), counted(count, "block")));
 }
 
-}  // namespace
-
 Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::size_t count,
                                         const std::function<Numbers(std::size_t)>& task) {
   std::vector<Numbers> results;
-  FLATRAY_TRY(ran, run_in_order(context, count, task,
-                                [&](Numbers&& result) { results.push_back(std::move(result)); }));
+  FLATRAY_TRY(ran, fold_blocks(context, count, task,
+                               [&](Numbers&& result) { results.push_back(std::move(result)); }));
   return results;
-}
-
-Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
-                         const std::function<Numbers(std::size_t)>& task,
-                         const std::function<void(const Numbers&)>& take) {
-  return run_in_order(context, count, task, take);
 }
 
 Numbers numbers_of(const SumList& sums) {
@@ -84,7 +78,7 @@ Result<void> run_tasks(const ExperimentContext& context, std::size_t count,
     task(i);
     return Numbers();
   };
-  return run_in_order(context, count, run, [](const Numbers&) {});
+  return fold_blocks(context, count, run, [](const Numbers&) {});
 }
 
 }  // namespace flatray

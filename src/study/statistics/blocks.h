@@ -21,7 +21,7 @@ Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::s
 /// Needs   `take` to be called by one thread at a time, whichever.
 Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
                          const std::function<Numbers(std::size_t)>& task,
-                         const std::function<void(const Numbers&)>& take);
+                         const std::function<void(Numbers&&)>& take);
 
 /// Numbers that blocks add up, where they stand: each type that has some lists them in one order.
 using SumList = std::vector<double*>;
