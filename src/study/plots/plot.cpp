@@ -172,13 +172,9 @@ class PlotDrawing {
     const double middle = left_ + area.x() / 2;
     x_label_ = lines_of(plot_.x_label, 2 * std::min(middle, out_.size.x() - middle) - 8);
     out_.title = plot_.title;
-    double y = 8;
-    for (const std::string& words : lines_of(plot_.title, out_.size.x() - 2 * kRight)) {
-      out_.marks.push_back(
-          Drawing::Words{{out_.size.x() / 2, y + kLine / 2}, words, 0.5, "text", false, true});
-      y += kLine;
-    }
-    low_ = {left_, std::round(y + 8)};
+    const Vec2 below = write({{out_.size.x() / 2, 8 + kLine / 2}, "", 0.5, "text", false, true},
+                             lines_of(plot_.title, out_.size.x() - 2 * kRight));
+    low_ = {left_, std::round(below.y() - kLine / 2 + 8)};
     high_ = low_ + area;
     name_at_ = {kRight, high_.y() + (2.4 + static_cast<double>(x_label_.size())) * kLine};
     legend_end_ = name_at_.y() + kMostRows * kLine;
@@ -201,16 +197,18 @@ class PlotDrawing {
     out_.marks.push_back(
         Drawing::Path{box_of(low_ - Vec2(0.5, 0.5), high_ + Vec2(0.5, 0.5)), {"axis"}, true});
     const Vec2 middle = 0.5 * (low_ + high_);
-    label({middle.x(), high_.y() + 14 + kLine}, x_label_);
-    label({14, middle.y()}, y_label_, true);
+    write({{middle.x(), high_.y() + 14 + kLine}, "", 0.5}, x_label_);
+    write({{14, middle.y()}, "", 0.5, "text", true}, y_label_);
   }
 
-  // Lines from the first on downwards, or, upright, to the right.
-  void label(Vec2 at, const std::vector<std::string>& lines, bool upright = false) {
+  // Lines as the first stands, downwards or, upright, to the right. Gives   where the next would stand.
+  Vec2 write(Drawing::Words line, const std::vector<std::string>& lines) {
     for (const std::string& words : lines) {
-      out_.marks.push_back(Drawing::Words{at, words, 0.5, "text", upright});
-      at += upright ? Vec2(kLine, 0) : Vec2(0, kLine);
+      line.words = words;
+      out_.marks.push_back(line);
+      line.at += line.upright ? Vec2(kLine, 0) : Vec2(0, kLine);
     }
+    return line.at;
   }
 
   void stroke(std::vector<Vec2> points, const Pen& look, const std::string& title = {}) {
@@ -325,16 +323,13 @@ class PlotDrawing {
       stroke({{left + kBarWidth, y(part)}, {left + kBarWidth + 4, y(part)}}, {"axis"});
       out_.marks.push_back(Drawing::Words{{left + kBarWidth + 7, y(part)}, words});
     }
-    label({out_.size.x() + 18 - room_of(bar_label_), y(0.5)}, bar_label_, true);
+    write({{out_.size.x() + 18 - room_of(bar_label_), y(0.5)}, "", 0.5, "text", true}, bar_label_);
   }
 
   void below() {
-    double y = has_names_ ? name_at_.y() + 1.2 * kLine : name_at_.y();
-    for (const std::string& words : lines_of(plot_.caption, out_.size.x() - 2 * kRight)) {
-      out_.marks.push_back(Drawing::Words{{kRight, y}, words});
-      y += kLine;
-    }
-    out_.size.y() = std::round(y);
+    const double y = has_names_ ? name_at_.y() + 1.2 * kLine : name_at_.y();
+    const Vec2 end = write({{kRight, y}, ""}, lines_of(plot_.caption, out_.size.x() - 2 * kRight));
+    out_.size.y() = std::round(end.y());
   }
 
   const Plot& plot_;
