@@ -72,16 +72,6 @@ Result<void> FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
   return {};
 }
 
-std::vector<std::byte> FrameEncoder::file_bytes(const Image& image, const RowsChanged& changed) {
-  return job_.output.format().of_picture(image, png_, changed);
-}
-std::vector<std::byte> FrameEncoder::file_bytes(const LinearImage& image, const RowsChanged&) {
-  return job_.output.format().of_light(image);
-}
-std::vector<std::byte> FrameEncoder::file_bytes(const FilmFile& film, const RowsChanged&) {
-  return job_.output.format().of_film(film);
-}
-
 // Of light, and of its error.
 void FrameEncoder::keep_report() {
   if (job_.scene.lamps.empty()) return;
@@ -104,11 +94,17 @@ Result<const Encoded*> FrameEncoder::encode_film(const RenderPlan& plan, const T
 
 template <class Picture>
 void FrameEncoder::keep(const Picture& picture, const RowsChanged& changed) {
-  out_.bytes = file_bytes(picture, changed);
+  const PictureFormat& format = job_.output.format();
+  if constexpr (std::is_same_v<Picture, Image>)
+    out_.bytes = format.of_picture(picture, png_, changed);
+  else if constexpr (std::is_same_v<Picture, LinearImage>)
+    out_.bytes = format.of_light(picture);
+  else
+    out_.bytes = format.of_film(picture);
   out_.record.pixels = hash_of(picture);
   out_.record.width = picture.width;
   out_.record.height = picture.height;
-  if (job_.output.format().part == nullptr) out_.record.bytes = Hash().add(out_.bytes).hex();
+  if (format.part == nullptr) out_.record.bytes = Hash().add(out_.bytes).hex();
   ++encoded_;
 }
 

@@ -38,9 +38,6 @@ class FrameEncoder {
   Result<void> encode(FrameDrawer<Picture>& drawer, DrawList list);
   template <class Picture>
   void keep(const Picture& picture, const RowsChanged& changed);
-  std::vector<std::byte> file_bytes(const Image& image, const RowsChanged& changed);
-  std::vector<std::byte> file_bytes(const LinearImage& image, const RowsChanged& changed);
-  std::vector<std::byte> file_bytes(const FilmFile& film, const RowsChanged& changed);
 
   const RenderJob& job_;
   LightReport report_;
