@@ -92,13 +92,9 @@ HitReport clip_piece(const NamedRay& ray, std::string against, const Piece& piec
 
 }  // namespace
 
-const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t entity) {
-  return shape_of(scene, state.entities[entity]);
-}
-
 std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity) {
   if (state.entities[entity].gone) return {};
-  const Shape& shape = shape_of(scene, state, entity);
+  const Shape& shape = shape_of(scene, state.entities[entity]);
   const Pose place = entity_pose(state, entity);
   std::vector<OutlineEdge> edges = outline(shape);
   std::ranges::stable_sort(edges, {}, &OutlineEdge::number);
@@ -120,7 +116,7 @@ std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std
 std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, const NamedRay& ray,
                                    std::uint32_t entity, Range within) {
   if (state.entities[entity].gone) return {};
-  const Shape& shape = shape_of(scene, state, entity);
+  const Shape& shape = shape_of(scene, state.entities[entity]);
   const Pose place = entity_pose(state, entity);
   const std::string name = entity_name(scene, entity);
   std::vector<HitReport> reports;

@@ -38,9 +38,6 @@ struct HitReport {
   std::string exact_enter, exact_exit;
 };
 
-/// What an entity looks like in the frame.
-const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t entity);
-
 /// Straight outline edges of an entity in the frame as rays whose t = 1 is the edge's end, by edge
 /// number.
 std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity);

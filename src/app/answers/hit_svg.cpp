@@ -23,7 +23,7 @@ Plot::Point point(const Vec2& place) { return {place.x(), place.y()}; }
 void add_walls(const Scene& scene, const FrameState& state, std::uint32_t entity,
                Plot::Series& lines, Bounds& box) {
   World world;
-  add_shape(world, shape_of(scene, state, entity), entity_pose(state, entity), {});
+  add_shape(world, shape_of(scene, state.entities[entity]), entity_pose(state, entity), {});
   for (std::uint32_t wall = 0; wall < world.surfaces.size(); ++wall) {
     for (const Vec2& corner : wall_outline(world.surfaces, wall)) {
       box.add(corner);
