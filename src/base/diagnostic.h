@@ -6,7 +6,8 @@
 
 namespace flatray {
 
-/// What went wrong, by the exit code that it decides (docs/LIMITS.md); a library never exits by itself.
+/// What went wrong, by the exit code that it decides (docs/LIMITS.md); a library never exits by
+/// itself.
 enum class Trouble {
   usage = 2,        ///< the command line is wrong
   missing = 3,      ///< an input is not there or cannot be read

@@ -86,7 +86,8 @@ inline Measure remarked(std::string name, double value, std::string remark) {
   return {.name = std::move(name), .value = value, .remark = std::move(remark)};
 }
 
-/// A number that must come out as `expected`, where that is known, but for what rounding may take it off.
+/// A number that must come out as `expected`, where that is known, but for what rounding may take
+/// it off.
 inline Measure expected_within(std::string name, double value, std::optional<double> expected,
                                double allowed, std::string remark = {}) {
   return {.name = std::move(name),

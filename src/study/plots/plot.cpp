@@ -201,7 +201,8 @@ class PlotDrawing {
     write({{14, middle.y()}, "", 0.5, "text", true}, y_label_);
   }
 
-  // Lines as the first stands, downwards or, upright, to the right. Gives   where the next would stand.
+  // Lines as the first stands, downwards or, upright, to the right. Gives where the next would
+  // stand.
   Vec2 write(Drawing::Words line, const std::vector<std::string>& lines) {
     for (const std::string& words : lines) {
       line.words = words;

@@ -88,8 +88,8 @@ class Room {
   std::unique_ptr<FastOrbits> fast_;
 };
 
-/// The place nearest to one near a wall that does not lie behind it, seen from a side; nullopt where doubles
-/// have none nearby.
+/// The place nearest to one near a wall that does not lie behind it, seen from a side; nullopt
+/// where doubles have none nearby.
 std::optional<Vec2> in_front_of(const Surfaces& walls, std::uint32_t surface, Sign side,
                                 const Vec2& place);
 /// What experiments look at that are means over orbits of starts drawn in a room.
