@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,12 @@ std::vector<Isa> available_isas();
 Result<Isa> chosen_isa();
 /// `chosen_isa()` read once; a wrong FLATRAY_ISA counts as unset here (main has refused it before).
 Isa active_isa();
+
+/// The entry of a tier in a table of all tiers, slowest first; of portable where the build lacks it.
+template <class Entry, std::size_t count>
+constexpr Entry of_tier(const Entry (&table)[count], Isa isa) {
+  const auto tier = static_cast<std::size_t>(isa);
+  return table[tier < count ? tier : 0];
+}
 
 }  // namespace flatray

@@ -39,20 +39,16 @@ std::uint32_t next_crc(std::uint32_t crc, const std::uint8_t* bytes, std::size_t
 
 }  // namespace
 
-const kernels::ByteKernels& byte_kernels([[maybe_unused]] Isa isa) {
+const kernels::ByteKernels& byte_kernels(Isa isa) {
+  static constexpr const kernels::ByteKernels* kTiers[] = {
+    &kernels::portable_bytes,
 #if defined(__x86_64__)
-  switch (isa) {
-    case Isa::avx512:
-      return kernels::avx512_bytes;
-    case Isa::avx2:
-      return kernels::avx2_bytes;
-    case Isa::baseline:
-      return kernels::baseline_bytes;
-    case Isa::portable:
-      break;
-  }
+    &kernels::baseline_bytes,
+    &kernels::avx2_bytes,
+    &kernels::avx512_bytes
 #endif
-  return kernels::portable_bytes;
+  };
+  return *of_tier(kTiers, isa);
 }
 
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before) {

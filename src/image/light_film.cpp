@@ -32,20 +32,16 @@ std::size_t numbers_of_tile(int channels) {
   return static_cast<std::size_t>(kTile * kTile * channels);
 }
 
-const kernels::LightKernels& light_kernels([[maybe_unused]] Isa isa) {
+const kernels::LightKernels& light_kernels(Isa isa) {
+  static constexpr const kernels::LightKernels* kTiers[] = {
+    &kernels::portable_light,
 #if defined(__x86_64__)
-  switch (isa) {
-    case Isa::avx512:
-      return kernels::avx512_light;
-    case Isa::avx2:
-      return kernels::avx2_light;
-    case Isa::baseline:
-      return kernels::baseline_light;
-    case Isa::portable:
-      break;
-  }
+    &kernels::baseline_light,
+    &kernels::avx2_light,
+    &kernels::avx512_light
 #endif
-  return kernels::portable_light;
+  };
+  return *of_tier(kTiers, isa);
 }
 
 }  // namespace

@@ -17,21 +17,15 @@ constexpr double kUndecided = 0x1p-30;  // of the largest coordinate
 constexpr double kLeastRoom = 0x1p-300, kLargestRoom = 0x1p300;  // squares stay among the doubles
 
 flights::Fly kernel_of(Isa isa) {
+  static constexpr const flights::Fly* kTiers[] = {
+    &flights::portable::kFly,
 #if defined(__x86_64__)
-  switch (isa) {
-    case Isa::avx512:
-      return flights::avx512::kFly;
-    case Isa::avx2:
-      return flights::avx2::kFly;
-    case Isa::baseline:
-      return flights::baseline::kFly;
-    case Isa::portable:
-      break;
-  }
-#else
-  static_cast<void>(isa);
+    &flights::baseline::kFly,
+    &flights::avx2::kFly,
+    &flights::avx512::kFly
 #endif
-  return flights::portable::kFly;
+  };
+  return *of_tier(kTiers, isa);
 }
 
 double event_of(Material material) {

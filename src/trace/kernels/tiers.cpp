@@ -3,21 +3,15 @@
 namespace flatray {
 
 const lanes::Kernels& lane_kernels(Isa isa) {
+  static constexpr const lanes::Kernels* kTiers[] = {
+    &lanes::portable::kKernels,
 #if defined(__x86_64__)
-  switch (isa) {
-    case Isa::avx512:
-      return lanes::avx512::kKernels;
-    case Isa::avx2:
-      return lanes::avx2::kKernels;
-    case Isa::baseline:
-      return lanes::baseline::kKernels;
-    case Isa::portable:
-      break;
-  }
-#else
-  static_cast<void>(isa);
+    &lanes::baseline::kKernels,
+    &lanes::avx2::kKernels,
+    &lanes::avx512::kKernels
 #endif
-  return lanes::portable::kKernels;
+  };
+  return *of_tier(kTiers, isa);
 }
 
 }  // namespace flatray
