@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "image/image.h"
+#include "image/compare.h"
 
 namespace flatray {
 
@@ -16,6 +16,15 @@ struct Metric {
   double (*value)(const Image& actual, const Image& expected);
   double (*of_light)(const LinearImage& actual, const LinearImage& expected);
 };
+
+/// A metric that is one of the numbers of `compare`.
+template <double Difference::*number>
+constexpr Metric of_difference(const char* name, const char* summary) {
+  const auto value = [](const auto& actual, const auto& expected) {
+    return (*compare(actual, expected)).*number;
+  };
+  return {name, summary, value, value};
+}
 
 /// Registered metrics by name.
 std::vector<const Metric*> metrics();
