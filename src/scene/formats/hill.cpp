@@ -5,6 +5,7 @@
 
 #include "scene/keys/builder.h"
 #include "scene/reading/format.h"
+#include "scene/reading/made_values.h"
 #include "scene/reading/numbers.h"
 
 namespace flatray::scene_formats {
@@ -14,8 +15,6 @@ constexpr std::string_view kBlanks = " \t\r\n";
 constexpr const char* kHint =
     "the file reads: how many pillars, the first of them the chamber; for each: sides r g b, then "
     "x y for every vertex";
-
-Member member(const char* key, Value value) { return {key, value.where, std::move(value)}; }
 
 // The chamber of F. S. Hill's case study "Reflections in a chamber": convex polygons, the first of
 // which holds the others.
@@ -32,12 +31,10 @@ class HillReader {
     if (const std::string_view more = next(); !more.empty())
       return fail(place(more), "more than the pillars announced", kHint);
     chamber_.push_back(member("pillars", array_value(whole, std::move(pillars_))));
-    std::vector<Member> root;
-    root.push_back({"flatray", whole, built_in_number(1)});
-    root.push_back(
-        member("chamber", array_value(whole, {table_value(whole, std::move(chamber_))})));
-    root.push_back(member("ray", array_value(whole, {ray(whole)})));
-    return SceneDesc{table_value(whole, std::move(root))};
+    return SceneDesc{
+        table_of(whole, Member{"flatray", whole, built_in_number(1)},
+                 member("chamber", array_value(whole, {table_value(whole, std::move(chamber_))})),
+                 member("ray", array_value(whole, {ray(whole)})))};
   }
 
  private:
@@ -109,8 +106,8 @@ class HillReader {
       const Place at = pair.front().where;
       points.push_back(array_value(at, std::move(pair)));
     }
-    Value ring = table_value(where, {member("points", array_value(where, std::move(points)))});
-    add(index, table_value(where, {member("convex", std::move(ring))}), std::move(*paint));
+    Value ring = table_of(where, member("points", array_value(where, std::move(points))));
+    add(index, table_of(where, member("convex", std::move(ring))), std::move(*paint));
     return {};
   }
 
@@ -119,17 +116,13 @@ class HillReader {
     if (index == 0) {
       chamber_.push_back(member("name", string_value(where, "chamber")));
       chamber_.push_back(member("shape", std::move(shape)));
-      std::vector<Member> stroke;
-      stroke.push_back(member("width_px", built_in_number(2)));
-      stroke.push_back(member("colour", std::move(paint)));
-      chamber_.push_back(member("stroke", table_value(where, std::move(stroke))));
+      chamber_.push_back(member("stroke", table_of(where, member("width_px", built_in_number(2)),
+                                                   member("colour", std::move(paint)))));
       return;
     }
-    std::vector<Member> pillar;
-    pillar.push_back(member("name", string_value(where, fmt::format("pillar {}", index))));
-    pillar.push_back(member("shape", std::move(shape)));
-    pillar.push_back(member("fill", std::move(paint)));
-    pillars_.push_back(table_value(where, std::move(pillar)));
+    pillars_.push_back(
+        table_of(where, member("name", string_value(where, fmt::format("pillar {}", index))),
+                 member("shape", std::move(shape)), member("fill", std::move(paint))));
   }
 
   // The file has none: a start to be changed with -D.
@@ -137,12 +130,9 @@ class HillReader {
     const auto pair = [&](double x, double y) {
       return array_value(where, {built_in_number(x), built_in_number(y)});
     };
-    std::vector<Member> ray;
-    ray.push_back(member("name", string_value(where, "start")));
-    ray.push_back(member("at", pair(middle_[0], middle_[1])));
-    ray.push_back(member("direction", pair(1, 0.375)));
-    ray.push_back(member("bounces", built_in_number(30)));
-    return table_value(where, std::move(ray));
+    return table_of(where, member("name", string_value(where, "start")),
+                    member("at", pair(middle_[0], middle_[1])), member("direction", pair(1, 0.375)),
+                    member("bounces", built_in_number(30)));
   }
 
   SourcePtr source_;

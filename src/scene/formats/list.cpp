@@ -3,6 +3,7 @@
 #include "base/counted.h"
 #include "scene/keys/builder.h"
 #include "scene/reading/format.h"
+#include "scene/reading/made_values.h"
 #include "scene/reading/numbers.h"
 
 namespace flatray::scene_formats {
@@ -14,12 +15,9 @@ constexpr const char* kLineHint = "a line reads { NAME, x, y } or NAME, x, y";
 
 Value pair(double x, double y) { return array_value({}, {built_in_number(x), built_in_number(y)}); }
 
-Member member(const char* key, Value value) { return {key, value.where, std::move(value)}; }
-
 Value block() {
-  Value box =
-      table_value({}, {member("min", pair(0, 0)), member("max", pair(kBlockWidth, kBlockHeight))});
-  return table_value({}, {member("box", std::move(box))});
+  return table_of({}, member("box", table_of({}, member("min", pair(0, 0)),
+                                             member("max", pair(kBlockWidth, kBlockHeight)))));
 }
 
 class ListReader {
@@ -40,13 +38,11 @@ class ListReader {
     }
     if (!problems.empty()) return tl::unexpected(std::move(problems));
     const Place whole{source_, 0, 1};
-    std::vector<Member> root;
-    root.push_back({"flatray", whole, built_in_number(1)});
-    root.push_back({"fps", whole, built_in_number(1)});
-    root.push_back(
-        {"film", whole, table_value(whole, {member("world", string_value(whole, "pixels"))})});
-    root.push_back({"entity", whole, array_value(whole, std::move(entities_))});
-    return SceneDesc{table_value(whole, std::move(root))};
+    Value film = table_of(whole, member("world", string_value(whole, "pixels")));
+    return SceneDesc{table_of(whole, Member{"flatray", whole, built_in_number(1)},
+                              Member{"fps", whole, built_in_number(1)},
+                              member("film", std::move(film)),
+                              member("entity", array_value(whole, std::move(entities_))))};
   }
 
  private:
@@ -94,11 +90,9 @@ class ListReader {
 
   void add(std::string_view line, std::string_view name, std::vector<Value> at) {
     const Place where = place(line);
-    std::vector<Member> entity;
-    entity.push_back(member("name", string_value(place(name), std::string(name))));
-    entity.push_back(member("shape", block_));
-    entity.push_back(member("at", array_value(where, std::move(at))));
-    entities_.push_back(table_value(where, std::move(entity)));
+    entities_.push_back(
+        table_of(where, member("name", string_value(place(name), std::string(name))),
+                 member("shape", block_), member("at", array_value(where, std::move(at)))));
   }
 
   SourcePtr source_;

@@ -4,6 +4,7 @@
 #include "scene/imports/obj_text.h"
 #include "scene/outlines/ring.h"
 #include "scene/reading/format.h"
+#include "scene/reading/made_values.h"
 
 namespace flatray::scene_formats {
 namespace {
@@ -118,32 +119,18 @@ Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,
   return std::move(maker.shape);
 }
 
-Member string_member(const Place& where, const char* key, std::string text) {
-  return {key, where, string_value(where, std::move(text))};
-}
-
-Member table_member(const Place& where, const char* key, Member only) {
-  std::vector<Member> members;
-  members.push_back(std::move(only));
-  return {key, where, table_value(where, std::move(members))};
-}
-
 // The whole scene: one entity, imported from the very file.
 Result<SceneDesc> read(const SourcePtr& source, const LoadLimits&) {
   const Place file{source, 0, 1};
-  Member shape = table_member(
-      file, "shape", table_member(file, "import", string_member(file, "file", source->name())));
-  std::vector<Member>& arguments = shape.value.members.front().value.members;
-  arguments.push_back(string_member(file, "format", "obj"));
-  std::vector<Member> entity;
-  entity.push_back(string_member(file, "name", scene_name(source->name())));
-  entity.push_back(std::move(shape));
-  std::vector<Value> entities;
-  entities.push_back(table_value(file, std::move(entity)));
-  std::vector<Member> root;
-  root.push_back({"flatray", file, built_in_number(1)});
-  root.push_back({"entity", file, array_value(file, std::move(entities))});
-  return SceneDesc{table_value(file, std::move(root)), {}};
+  const auto text = [&](const char* key, std::string content) {
+    return member(key, string_value(file, std::move(content)));
+  };
+  Value shape = table_of(
+      file, member("import", table_of(file, text("file", source->name()), text("format", "obj"))));
+  Value entity =
+      table_of(file, text("name", scene_name(source->name())), member("shape", std::move(shape)));
+  return SceneDesc{table_of(file, Member{"flatray", file, built_in_number(1)},
+                            member("entity", array_value(file, {std::move(entity)})))};
 }
 
 bool recognises(std::string_view text) {

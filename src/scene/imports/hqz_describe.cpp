@@ -8,6 +8,7 @@
 #include "base/philox.h"
 #include "base/portable_math.h"
 #include "scene/imports/hqz_scene.h"
+#include "scene/reading/made_values.h"
 #include "scene/spectrum.h"
 
 namespace flatray {
@@ -17,7 +18,6 @@ constexpr double kMostPower = 1e30;  // of a lamp
 constexpr double kFps = 24;          // lines have no times
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-Member member(const char* key, Value value) { return {key, value.where, std::move(value)}; }
 Value pair(Value first, Value second) {
   const Place where = first.where;
   return array_value(where, {std::move(first), std::move(second)});
@@ -25,7 +25,7 @@ Value pair(Value first, Value second) {
 Value word(const char* text) { return string_value({}, text); }
 Value kind(const char* name, Value arguments) {
   const Place where = arguments.where;
-  return table_value(where, {member(name, std::move(arguments))});
+  return table_of(where, member(name, std::move(arguments)));
 }
 
 // What a number is from each frame on in which it changes: as long as what the lines say of it.
@@ -63,10 +63,8 @@ Value written(const Track& track) {
   for (const auto& [frame, value] : track.steps)
     keys.push_back(
         pair(built_in_number(static_cast<double>(frame) / kFps), built_in_number(value)));
-  std::vector<Member> curve;
-  curve.push_back(member("keys", array_value({}, std::move(keys))));
-  curve.push_back(member("ease", word("step")));
-  return table_value({}, std::move(curve));
+  return table_of({}, member("keys", array_value({}, std::move(keys))),
+                  member("ease", word("step")));
 }
 
 // Walls of one kind, one of which a frame may lack: it is then a point, which no light meets.
@@ -284,12 +282,10 @@ class HqzWriter {
     const auto corner = [](double x, double y) {
       return pair(built_in_number(x), built_in_number(y));
     };
-    std::vector<Member> film;
-    film.push_back(member("size", scene.size));
-    film.push_back(member("world", pair(corner(scene.left, -(scene.top + scene.height)),
-                                        corner(scene.left + scene.width, 0 - scene.top))));
-    film.push_back(member("background", word("#000000")));
-    return table_value(scene.where, std::move(film));
+    Value world = pair(corner(scene.left, -(scene.top + scene.height)),
+                       corner(scene.left + scene.width, 0 - scene.top));
+    return table_of(scene.where, member("size", scene.size), member("world", std::move(world)),
+                    member("background", word("#000000")));
   }
 
   Value camera() const {
@@ -301,10 +297,8 @@ class HqzWriter {
       height.set(frame,
                  std::max(scene.height, scene.width / scene.resolution[0] * scene.resolution[1]));
     }
-    std::vector<Member> camera;
-    camera.push_back(member("at", pair(written(x), written(y))));
-    camera.push_back(member("height", written(height)));
-    return table_value({}, std::move(camera));
+    return table_of({}, member("at", pair(written(x), written(y))),
+                    member("height", written(height)));
   }
 
   Value light(const HqzScene& scene, double exposure) const {
@@ -351,10 +345,8 @@ class HqzWriter {
   }
 
   static Value segment(const Place& where, Value x0, Value y0, Value x1, Value y1) {
-    std::vector<Member> ends;
-    ends.push_back(member("from", pair(std::move(x0), std::move(y0))));
-    ends.push_back(member("to", pair(std::move(x1), std::move(y1))));
-    return kind("segment", table_value(where, std::move(ends)));
+    return kind("segment", table_of(where, member("from", pair(std::move(x0), std::move(y0))),
+                                    member("to", pair(std::move(x1), std::move(y1)))));
   }
 
   std::vector<Value> walls() {
