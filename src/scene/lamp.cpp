@@ -137,10 +137,4 @@ std::unique_ptr<const Emitter> emitter_at(const Scene& scene, const Lamp& lamp, 
   return emitter && !args.gone() ? std::move(*emitter) : nullptr;
 }
 
-std::vector<Listed> listed_lamps() {
-  std::vector<Listed> all;
-  for (const auto* type : lamp_types()) all.push_back({type->name, type->summary});
-  return all;
-}
-
 }  // namespace flatray

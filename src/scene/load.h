@@ -56,13 +56,4 @@ Result<ReadScene> read_scene(const std::filesystem::path& path,
                              const std::vector<Override>& overrides = {},
                              const LoadLimits& limits = {}, std::optional<std::uint64_t> seed = {});
 
-/// One line each for `flatray list`: registered name and what it takes.
-struct Listed {
-  std::string name, usage;
-};
-std::vector<Listed> listed_shapes();
-std::vector<Listed> listed_lamps();
-std::vector<Listed> listed_materials();
-std::vector<Listed> listed_formats();
-
 }  // namespace flatray

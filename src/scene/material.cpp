@@ -148,10 +148,4 @@ const Place* place_of_glass(const Scene& scene) {
   return nullptr;
 }
 
-std::vector<Listed> listed_materials() {
-  std::vector<Listed> all;
-  for (const auto* type : material_types()) all.push_back({type->name, type->summary});
-  return all;
-}
-
 }  // namespace flatray

@@ -26,12 +26,6 @@ std::string usage(const ShapeType& type) {
   return all;
 }
 
-std::vector<Listed> listed_shapes() {
-  std::vector<Listed> all;
-  for (const ShapeType* type : shape_types()) all.push_back({type->name, usage(*type)});
-  return all;
-}
-
 namespace {
 
 std::optional<ShapeId> build_shape(Builder& builder, const Field& field) {

@@ -8,6 +8,10 @@
 #include "image/picture_format.h"
 #include "render/backend.h"
 #include "render/view.h"
+#include "scene/lamp.h"
+#include "scene/material.h"
+#include "scene/reading/format.h"
+#include "scene/shape.h"
 #include "study/experiment.h"
 #include "trace/tracer.h"
 
@@ -18,14 +22,14 @@ struct Options : Arguments {
   void rows(OptionTable& row) { row(kJsonRow); }
 };
 
-// A row for each entry of `all()`, and which of its members says what it is.
+// A row for each entry of `all()`, and what of it says what it is.
 template <auto all, auto what>
 Table listed() {
   Table table({"name", "what"});
   const auto entries = all();
   const std::vector<std::string> names = names_of(entries);
   for (std::size_t i = 0; i < names.size(); ++i)
-    table.add({names[i], std::invoke(what, entries[i])});
+    table.add({names[i], std::invoke(what, *entries[i])});
   return table;
 }
 
@@ -50,14 +54,14 @@ constexpr Kind kKinds[] = {
     {"backends", &listed<&flatray::backends, &Backend::summary>},
     {"encoders", &listed<&flatray::png_writers, &PngWriter::summary>},
     {"experiments", &listed<&flatray::experiments, &Experiment::question>},
-    {"formats", &listed<&listed_formats, &Listed::usage>},
+    {"formats", &listed<&flatray::formats, &Format::usage>},
     {"isas", &isas},
-    {"lamps", &listed<&listed_lamps, &Listed::usage>},
-    {"materials", &listed<&listed_materials, &Listed::usage>},
+    {"lamps", &listed<&lamp_types, &LampType::summary>},
+    {"materials", &listed<&material_types, &MaterialType::summary>},
     {"metrics", &listed<&flatray::metrics, &Metric::summary>},
     {"passes", &drawing_passes},
     {"pictures", &listed<&flatray::picture_formats, &PictureFormat::summary>},
-    {"shapes", &listed<&listed_shapes, &Listed::usage>},
+    {"shapes", &listed<&shape_types, &flatray::usage>},
     {"tracers", &listed<&flatray::tracers, &Tracer::summary>},
     {"views", &listed<&flatray::views, &View::summary>},
     {"verbs", &listed<&all_verbs, &Verb::summary>}};

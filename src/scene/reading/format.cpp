@@ -66,10 +66,4 @@ std::string scene_name(std::string_view file_name) {
   return std::filesystem::path(file_name).stem().string();
 }
 
-std::vector<Listed> listed_formats() {
-  std::vector<Listed> all;
-  for (const Format* format : formats()) all.push_back({format->name, format->usage});
-  return all;
-}
-
 }  // namespace flatray

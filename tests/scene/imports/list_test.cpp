@@ -88,7 +88,7 @@ TEST(Formats, StandardInputIsReadByItsContent) {
 
 TEST(Formats, AreListed) {
   std::vector<std::string> names;
-  for (const Listed& format : listed_formats()) names.push_back(format.name);
+  for (const Format* format : formats()) names.emplace_back(format->name);
   EXPECT_EQ(names, (std::vector<std::string>{"hill", "hqz", "list", "obj", "toml"}));
 }
 

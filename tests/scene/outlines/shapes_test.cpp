@@ -3,6 +3,7 @@
 
 #include "scene/outlines/ring.h"
 #include "scene/scene_text.h"
+#include "scene/shape.h"
 
 namespace flatray {
 namespace {
@@ -219,15 +220,15 @@ TEST(Shapes, ArgumentsOfTheWrongKindAreTold) {
 
 TEST(Shapes, EveryKindIsListedWithWhatItTakes) {
   std::vector<std::string> names;
-  for (const Listed& shape : listed_shapes()) {
-    names.push_back(shape.name);
-    EXPECT_NE(shape.usage.find(" = "), std::string::npos);
+  for (const ShapeType* shape : shape_types()) {
+    names.emplace_back(shape->name);
+    EXPECT_NE(usage(*shape).find(" = "), std::string::npos);
   }
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
   for (const char* name : {"box", "circle", "convex", "import", "polygon", "segment"})
     EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
   const auto box = std::find(names.begin(), names.end(), "box") - names.begin();
-  EXPECT_EQ(listed_shapes()[static_cast<std::size_t>(box)].usage,
+  EXPECT_EQ(usage(*shape_types()[static_cast<std::size_t>(box)]),
             "min = [x, y] or a curve, max = [x, y] or a curve");
 }
 
