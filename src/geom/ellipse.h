@@ -23,6 +23,7 @@ struct EllipseArc {
   Vec2 start() const { return at(from); }
   Vec2 end() const { return at(from + sweep); }
   bool is_whole() const { return std::fabs(sweep) >= 2 * std::numbers::pi; }
+  bool is_circular() const { return v == Vec2(-u.y(), u.x()) || v == Vec2(u.y(), -u.x()); }
   bool operator==(const EllipseArc&) const = default;
 };
 
@@ -38,6 +39,8 @@ struct ArcPath {
   bool is_ellipse() const { return closed && arcs.size() == 1 && arcs.front().is_whole(); }
   bool operator==(const ArcPath&) const = default;
 };
+
+inline EllipseArc corner_at(const Vec2& point) { return {point, {0, 0}, {0, 0}, 0, 0}; }
 
 /// A part of an arc on which x and y each only rise or only fall. Neighbours share their ends.
 struct MonotoneArc {

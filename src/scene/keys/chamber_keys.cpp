@@ -126,12 +126,8 @@ void read_chamber(Builder& builder, const Value& table) {
 
 // Whether all its curves are circles, or arcs of them.
 bool bends_in_circles(const Shape& shape) {
-  const auto is_round = [](const EllipseArc& arc) {
-    const Vec2 left(-arc.u.y(), arc.u.x());
-    return arc.v == left || arc.v == -left;
-  };
   return shape.beziers.empty() && std::ranges::all_of(shape.arc_paths, [&](const ArcPath& path) {
-           return std::ranges::all_of(path.arcs, is_round);
+           return std::ranges::all_of(path.arcs, &EllipseArc::is_circular);
          });
 }
 

@@ -96,7 +96,6 @@ void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPi
 
 // The runs of what holes leave, to be drawn as lines that go round corners.
 std::vector<ArcPath> runs_of(const std::vector<WallPiece>& parts) {
-  const auto point = [](const Vec2& at) { return EllipseArc{at, {0, 0}, {0, 0}, 0, 0}; };
   std::vector<ArcPath> runs;
   const Vec2* end = nullptr;
   for (const auto& [wall, edge, hole] : parts) {
@@ -109,8 +108,8 @@ std::vector<ArcPath> runs_of(const std::vector<WallPiece>& parts) {
     if (wall.arc) {
       arcs.push_back(*wall.arc);
     } else {
-      if (arcs.empty()) arcs.push_back(point(wall.from));
-      arcs.push_back(point(wall.to));
+      if (arcs.empty()) arcs.push_back(corner_at(wall.from));
+      arcs.push_back(corner_at(wall.to));
     }
     end = &wall.to;
   }

@@ -7,10 +7,6 @@
 namespace flatray {
 namespace {
 
-bool is_circular(const EllipseArc& arc) {
-  return arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x());
-}
-
 bool is_half(const EllipseArc& arc) { return arc.from == 0 && arc.sweep == std::numbers::pi; }
 
 }  // namespace
@@ -20,7 +16,7 @@ double circle_radius(const Vec2& u) {
 }
 
 std::optional<Rounded> rounded_by(const ArcPath& path) {
-  if (!path.closed || path.arcs.empty() || !is_circular(path.arcs[0])) return std::nullopt;
+  if (!path.closed || path.arcs.empty() || !path.arcs[0].is_circular()) return std::nullopt;
   const EllipseArc& one = path.arcs[0];
   if (path.is_ellipse()) return Rounded{one.centre, one.centre, circle_radius(one.u)};
   if (path.arcs.size() != 2) return std::nullopt;

@@ -25,7 +25,7 @@ void add_face(const Vec2& vertex, double radius, double half, double outward,
               std::vector<EllipseArc>& arcs) {
   if (radius == 0) {
     for (const double end : {-outward * half, outward * half})
-      arcs.push_back({Vec2(vertex + Vec2(0, end)), {0, 0}, {0, 0}, 0, 0});
+      arcs.push_back(corner_at(vertex + Vec2(0, end)));
     return;
   }
   const double angle = portable::asin(half / std::fabs(radius));

@@ -17,9 +17,7 @@ Result<Shape> build(Args& args) {
   if (!(half < radius))
     return fail(args.place("width"), "the stem is as wide as the cap",
                 "write a width below 2 radius; of equal ones make a capsule or an arc");
-  const auto corner = [&](double x, double y) {
-    return EllipseArc{Vec2(centre + Vec2(x, y)), {0, 0}, {0, 0}, 0, 0};
-  };
+  const auto corner = [&](double x, double y) { return corner_at(centre + Vec2(x, y)); };
   const EllipseArc cap{centre, {radius, 0}, {0, radius}, 0, std::numbers::pi};
   return shape_of(ArcPath{
       {cap, corner(-half, 0), corner(-half, -height), corner(half, -height), corner(half, 0)},

@@ -15,9 +15,7 @@ Result<Shape> build(Args& args) {
   const Vec2 centre = args.point("centre");
   const double unit = args.size("size");
   const auto at = [&](double x, double y) { return Vec2(centre + unit * Vec2(x, y)); };
-  const auto corner = [&](double x, double y) {
-    return EllipseArc{at(x, y), {0, 0}, {0, 0}, 0, 0};
-  };
+  const auto corner = [&](double x, double y) { return corner_at(at(x, y)); };
   const Vec2 along(5 * unit, 0), up(0, 3 * unit);
   constexpr double kHalf = std::numbers::pi;
   return shape_of(ArcPath{{{at(0, 3), along, up, 0, kHalf},
