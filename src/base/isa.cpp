@@ -30,17 +30,8 @@ constexpr Isa kAllIsas[] = {Isa::portable, Isa::baseline, Isa::avx2, Isa::avx512
 }  // namespace
 
 const char* isa_name(Isa isa) {
-  switch (isa) {
-    case Isa::portable:
-      return "portable";
-    case Isa::baseline:
-      return "baseline";
-    case Isa::avx2:
-      return "avx2";
-    case Isa::avx512:
-      return "avx512";
-  }
-  return "?";
+  static constexpr const char* kNames[] = {"portable", "baseline", "avx2", "avx512"};
+  return of_tier(kNames, isa);
 }
 
 std::vector<Isa> available_isas() {
