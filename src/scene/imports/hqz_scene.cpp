@@ -246,8 +246,12 @@ class HqzReader {
               R"("d" is scattered, "t" let through, "r" mirrored)");
   }
 
-  template <class Part>
-  bool numbers(const Value& value, std::initializer_list<Part> parts) {
+  struct Numbered {
+    std::size_t index;
+    const char* name;
+    HqzRange* range;
+  };
+  bool numbers(const Value& value, std::initializer_list<Numbered> parts) {
     bool right = true;
     for (const auto& [index, name, range_of] : parts) {
       const auto read = range(value.items[index], name);
@@ -256,12 +260,6 @@ class HqzReader {
     }
     return right;
   }
-  struct Numbered {
-    std::size_t index;
-    const char* name;
-    HqzRange* range;
-  };
-
   void read_light(const Value& value, HqzScene& scene) {
     constexpr std::size_t kFields = 7;
     if (value.kind != Value::Kind::array || value.items.size() != kFields)
@@ -270,11 +268,11 @@ class HqzReader {
     HqzLight light{.where = value.where};
     const auto power = range(value.items[0], "power", 0, kFarthestHqz);
     if (power) light.power = *power;
-    const bool right = numbers<Numbered>(value, {{1, "x", &light.x},
-                                                 {2, "y", &light.y},
-                                                 {3, "polar angle", &light.polar_angle},
-                                                 {4, "polar distance", &light.polar_distance},
-                                                 {5, "ray angle", &light.ray_angle}});
+    const bool right = numbers(value, {{1, "x", &light.x},
+                                       {2, "y", &light.y},
+                                       {3, "polar angle", &light.polar_angle},
+                                       {4, "polar distance", &light.polar_distance},
+                                       {5, "ray angle", &light.ray_angle}});
     if (!read_wavelength(value.items[6], light) || !right || !power) return;
     if (!power->is_number())
       warning(power->where, "power is not drawn for every ray: its middle is taken");
@@ -304,16 +302,16 @@ class HqzReader {
                      "write [material, x, y, dx, dy] or [material, x, y, angle, dx, dy, turn]");
     HqzObject object{.where = value.where};
     HqzObject::Normal normal;
-    const bool right = count == 5 ? numbers<Numbered>(value, {{1, "x", &object.x},
-                                                              {2, "y", &object.y},
-                                                              {3, "dx", &object.dx},
-                                                              {4, "dy", &object.dy}})
-                                  : numbers<Numbered>(value, {{1, "x", &object.x},
-                                                              {2, "y", &object.y},
-                                                              {3, "angle", &normal.angle},
-                                                              {4, "dx", &object.dx},
-                                                              {5, "dy", &object.dy},
-                                                              {6, "turn", &normal.turn}});
+    const bool right = count == 5 ? numbers(value, {{1, "x", &object.x},
+                                                    {2, "y", &object.y},
+                                                    {3, "dx", &object.dx},
+                                                    {4, "dy", &object.dy}})
+                                  : numbers(value, {{1, "x", &object.x},
+                                                    {2, "y", &object.y},
+                                                    {3, "angle", &normal.angle},
+                                                    {4, "dx", &object.dx},
+                                                    {5, "dy", &object.dy},
+                                                    {6, "turn", &normal.turn}});
     const auto material = number(value.items[0], "material", 0, kFarthestHqz);
     if (!material || !right) return;
     const double most = static_cast<double>(scene.materials.size());

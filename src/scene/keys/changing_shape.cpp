@@ -9,6 +9,7 @@
 #include "scene/curve.h"
 #include "scene/keys/build_scene.h"
 #include "scene/keys/corner_limit.h"
+#include "scene/lamp.h"
 #include "scene/shape.h"
 
 namespace flatray {
@@ -28,8 +29,8 @@ std::set<CurveId> curves_of(const ChangingShape& changing) {
 // One number alone stays between its keys, where what is right at both is right: all bounds are
 // intervals. Outlines may cross in between, and of several numbers each goes its own way. That a
 // shape is not there at a key says nothing of what is right.
-bool may_fail_between_keys(const ChangingShape& changing, std::size_t curves, bool was_gone) {
-  return curves > 1 || was_gone ||
+bool may_fail_between_keys(const ChangingShape& changing, bool was_gone) {
+  return curves_of(changing).size() > 1 || was_gone ||
          std::ranges::any_of(changing.arguments, [](const auto& argument) {
            return argument.numbers.size() > kNumbersOfAPoint;
          });
@@ -99,12 +100,9 @@ class Trials {
 };
 
 bool try_all(const Scene& scene, const ChangingShape& changing, Trials& trials) {
-  std::set<double> times;
-  const std::set<CurveId> curves = curves_of(changing);
-  for (const CurveId curve : curves)
-    times.insert(scene.curves[curve].times.begin(), scene.curves[curve].times.end());
+  const std::set<double> times = key_times(scene, changing);
   if (!std::ranges::all_of(times, [&](double time) { return trials.at(time); })) return false;
-  if (!may_fail_between_keys(changing, curves.size(), trials.was_gone())) return true;
+  if (!may_fail_between_keys(changing, trials.was_gone())) return true;
   for (unsigned frame = 1; frame <= kLastFrame; ++frame) {  // any may be asked for
     const double time = (frame - 1) / scene.fps;
     if (time >= *times.rbegin()) return true;
