@@ -5,10 +5,6 @@
 namespace flatray {
 namespace {
 
-bool is_before(const Vec2& a, const Vec2& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
 // An edge by its line, from its lower end on.
 struct Line {
   Vec2 low, high;

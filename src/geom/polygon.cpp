@@ -8,10 +8,6 @@
 namespace flatray {
 namespace {
 
-bool runs_forward(const Vec2& a, const Vec2& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
 // The turns of a ring, walked once round.
 struct Turns {
   bool left = false, right = false;
@@ -27,12 +23,12 @@ Sign turn_at(std::span<const Vec2> ring, std::span<const std::size_t> edges, std
 
 Turns turns_of(std::span<const Vec2> ring, std::span<const std::size_t> edges) {
   Turns turns;
-  bool forward = runs_forward(ring[edges.back()], ring[edges.front()]);
+  bool forward = is_before(ring[edges.back()], ring[edges.front()]);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const Sign turn = turn_at(ring, edges, k);
     turns.left |= turn == Sign::positive;
     turns.right |= turn == Sign::negative;
-    const bool now_forward = runs_forward(ring[edges[k]], edge_end(ring, edges[k]));
+    const bool now_forward = is_before(ring[edges[k]], edge_end(ring, edges[k]));
     if (now_forward != forward && ++turns.changes == 3) turns.third_change = edges[k];
     forward = now_forward;
   }
@@ -94,7 +90,7 @@ void mend_convex(std::vector<Vec2>& ring) {
   // Once round from a corner that is outermost (Graham 1972).
   const Sign inward = -ring_orientation(ring);
   const auto begin = static_cast<std::size_t>(
-      std::min_element(ring.begin(), ring.end(), runs_forward) - ring.begin());
+      std::min_element(ring.begin(), ring.end(), is_before) - ring.begin());
   std::vector<std::size_t> kept;
   for (std::size_t i = begin; i <= begin + n; ++i) {
     while (kept.size() > 1 && turn(kept[kept.size() - 2], kept.back(), i) == inward)

@@ -4,13 +4,6 @@
 #include <numeric>
 
 namespace flatray {
-namespace {
-
-bool is_before(const Vec2& a, const Vec2& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
-}  // namespace
 
 const Vec2& RingSweep::FromBelow::left(Index edge) const {
   const Vec2 &a = points[edge], &b = points[after(edge)];

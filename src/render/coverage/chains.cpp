@@ -20,23 +20,20 @@ class Beginnings {
 
   std::optional<std::size_t> take_at(const Vec2& point) {
     if (order_.empty()) sort();
-    auto found =
-        std::lower_bound(order_.begin(), order_.end(), point,
-                         [this](std::size_t i, const Vec2& p) { return before(edges_[i].a, p); });
+    auto found = std::lower_bound(
+        order_.begin(), order_.end(), point,
+        [this](std::size_t i, const Vec2& p) { return is_before(edges_[i].a, p); });
     for (; found != order_.end() && edges_[*found].a == point; ++found)
       if (take(*found)) return *found;
     return std::nullopt;
   }
 
  private:
-  static bool before(const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  }
   void sort() {
     order_.resize(edges_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::sort(order_.begin(), order_.end(), [this](std::size_t i, std::size_t k) {
-      return before(edges_[i].a, edges_[k].a) || (edges_[i].a == edges_[k].a && i < k);
+      return is_before(edges_[i].a, edges_[k].a) || (edges_[i].a == edges_[k].a && i < k);
     });
   }
 

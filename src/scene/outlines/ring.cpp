@@ -11,10 +11,6 @@ bool is_passed_over(const Vec2& a, const Vec2& b, const Vec2& c) {
          orientation(a, b, c) == Sign::zero;
 }
 
-bool before(const Vec2& a, const Vec2& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
 // A stretch of straight boundary ends where the last vertex is dropped: its edges become one.
 void drop_last(CleanRing& ring) {
   ring.vertices.pop_back();
