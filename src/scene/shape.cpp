@@ -11,14 +11,6 @@ namespace flatray {
 
 #include "shapes.inc"  // shape_types()
 
-namespace {
-
-void append(Diagnostics& to, Diagnostics&& from) {
-  std::move(from.begin(), from.end(), std::back_inserter(to));
-}
-
-}  // namespace
-
 std::string usage(const ShapeType& type) {
   std::string all;
   for (const KeyInfo& key : type.keys)
@@ -40,7 +32,7 @@ std::optional<ShapeId> build_shape(Builder& builder, const Field& field) {
   if (builder.in.problems.size() > problems) return std::nullopt;
   args.check_lost_features();
   if (!shape) {
-    append(builder.in.problems, std::move(shape).error());
+    for (Diagnostic& problem : shape.error()) builder.in.problems.push_back(std::move(problem));
     return std::nullopt;
   }
   if (!take_corners(builder, corner_count(*shape), place_of_change(field.value, field.value.where)))

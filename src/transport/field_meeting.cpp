@@ -273,9 +273,4 @@ std::vector<Vec2> points_between(double field, const Ray& flight, const Vec2& to
   return points;
 }
 
-bool are_straight_or_circles(const Surfaces& walls) {
-  return walls.beziers.empty() && std::all_of(walls.arcs.begin(), walls.arcs.end(),
-                                              [](const Arc& arc) { return arc.curve.is_circle(); });
-}
-
 }  // namespace flatray

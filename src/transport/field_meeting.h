@@ -106,7 +106,4 @@ std::optional<FieldHit> first_in_field(const Surfaces& walls, const FieldFlight&
 /// 256 to a full turn. Where both are one it is the full turn.
 std::vector<Vec2> points_between(double field, const Ray& flight, const Vec2& to);
 
-/// Whether all walls are such.
-bool are_straight_or_circles(const Surfaces& walls);
-
 }  // namespace flatray

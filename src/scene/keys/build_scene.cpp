@@ -73,10 +73,6 @@ void sort_by_source(Diagnostics& diagnostics, const Builder& builder) {
       diagnostics, [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
 }
 
-void append_tables(std::vector<TableInfo>& to, std::vector<TableInfo> from) {
-  std::move(from.begin(), from.end(), std::back_inserter(to));
-}
-
 }  // namespace
 
 Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const LoadLimits& limits,
@@ -110,7 +106,7 @@ std::vector<TableInfo> language_tables() {
   for (auto* tables : {&film_tables, &group_tables, &entity_tables, &look_tables, &curve_tables,
                        &motion_tables, &repeat_tables, &collision_tables, &chamber_tables,
                        &ray_tables, &lamp_tables, &markov_tables})
-    append_tables(all, tables());
+    for (TableInfo& table : tables()) all.push_back(std::move(table));
   return all;
 }
 
