@@ -23,10 +23,8 @@ ExactHit::ExactHit(const Ray& ray, const Bezier& wall, Root root)
   const BezierRoot met = root_of(wall, ray, root);
   root_ = met;
   time_ = HitTime::on_curve(ray, wall, met);
-  from_ = {bernstein_value(coordinates_of(kBounded, wall, 0), met.s),
-           bernstein_value(coordinates_of(kBounded, wall, 1), met.s)};
-  form_ = {bernstein_value(bernstein_derivative(coordinates_of(kBounded, wall, 0)), met.s),
-           bernstein_value(bernstein_derivative(coordinates_of(kBounded, wall, 1)), met.s)};
+  from_ = point_at(kBounded, wall, met.s);
+  form_ = rate_at(kBounded, wall, met.s);
 }
 
 double ExactHit::rounded(const Polynomial& of_time) const {
@@ -96,15 +94,9 @@ Sign ExactHit::side_of(const Arc& wall) const {
 // By what the ray meets of the wall next before or after it, or beside the wall's tangent.
 Sign ExactHit::side_of(const Bezier& wall) const {
   if (place_on(wall) != PlaceOn::outside) return Sign::zero;
-  const double s = parameter_near(wall, nearest());
-  const auto beside = [&](int axis) {
-    return Bounded(curve_.centre[axis]) + (axis == 0 ? from_.x : from_.y) -
-           bernstein_value(coordinates_of(kBounded, wall, axis), Bounded(s));
-  };
-  const auto along = [&](int axis) {
-    return bernstein_value(bernstein_derivative(coordinates_of(kBounded, wall, axis)), Bounded(s));
-  };
-  if (const auto sign = (along(0) * beside(1) - along(1) * beside(0)).sign()) return *sign;
+  const Bounded s = parameter_near(wall, nearest());
+  const auto beside = pair_of(kBounded, curve_.centre) + from_ - point_at(kBounded, wall, s);
+  if (const auto sign = cross(rate_at(kBounded, wall, s), beside).sign()) return *sign;
   std::vector<WallMeeting> met;
   meet(wall, ray_, {Root::none, false, true}, met);
   const double here = time_.nearest().t;

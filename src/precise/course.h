@@ -88,18 +88,8 @@ struct Course {
   }
 
   Pair<Number> normal(const Bezier& wall, const Pair<Number>&) const {
-    const Pair<Number> rate = rate_at(wall, *stood_at);
+    const Pair<Number> rate = rate_at(make, wall, *stood_at);
     return {-rate.y, rate.x};
-  }
-
-  // A point of a curve, and how it goes on there.
-  Pair<Number> point_at(const Bezier& wall, const Number& s) const {
-    return {bernstein_value(coordinates_of(make, wall, 0), s),
-            bernstein_value(coordinates_of(make, wall, 1), s)};
-  }
-  Pair<Number> rate_at(const Bezier& wall, const Number& s) const {
-    return {bernstein_value(bernstein_derivative(coordinates_of(make, wall, 0)), s),
-            bernstein_value(bernstein_derivative(coordinates_of(make, wall, 1)), s)};
   }
 
   // Where it has left the curve is a root that is known, by which the others are those of a quotient.

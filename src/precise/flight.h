@@ -397,7 +397,8 @@ class Flight {
     auto meeting = first_of(surface);
     if (!meeting || !meeting->parameter) return false;
     const Number s = std::move(*meeting->parameter);
-    const Pair<Number> point = course_.point_at(wall, s), rate = course_.rate_at(wall, s);
+    const Pair<Number> point = point_at(course_.make, wall, s),
+                       rate = rate_at(course_.make, wall, s);
     bounce_off_curve(wall.start(), point - pair(wall.start()), {-rate.y, rate.x});
     course_.stood_at = s;
     return true;

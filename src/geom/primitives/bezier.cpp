@@ -280,11 +280,7 @@ Vec2 point_met(const Bezier& wall, const Ray& ray, Root root) {
 bool leads_away(const Bezier& wall, Sign side, const Ray& ray) {
   const double s = parameter_near(wall, ray.origin);
   return side == decide([&](const auto& number) {
-           const auto along = [&](int axis) {
-             return bernstein_value(bernstein_derivative(coordinates_of(number, wall, axis)),
-                                    number(s));
-           };
-           return along(0) * number(ray.direction.y()) - along(1) * number(ray.direction.x());
+           return cross(rate_at(number, wall, number(s)), pair_of(number, ray.direction));
          });
 }
 

@@ -111,6 +111,17 @@ Bernstein<Number> bernstein_derivative(const Bernstein<Number>& c) {
   }
   return slope;
 }
+/// The point at s, and its derivative by s, in the arithmetic of `number`.
+template <class Make, class Number>
+Pair<Number> point_at(const Make& number, const Bezier& curve, const Number& s) {
+  return {bernstein_value(coordinates_of(number, curve, 0), s),
+          bernstein_value(coordinates_of(number, curve, 1), s)};
+}
+template <class Make, class Number>
+Pair<Number> rate_at(const Make& number, const Bezier& curve, const Number& s) {
+  return {bernstein_value(bernstein_derivative(coordinates_of(number, curve, 0)), s),
+          bernstein_value(bernstein_derivative(coordinates_of(number, curve, 1)), s)};
+}
 /// Where between `low` and `high` a function of doubles changes its sign, about: by false positions, of
 /// which an end that stays twice counts half (Dowell and Jarratt 1971), every fourth time by halves.
 /// Needs   opposite signs there.

@@ -54,13 +54,13 @@ void visit_roots(const Plain& p, double low, double high, const Use& use) {
 }  // namespace
 
 Vec2 point_at(const Bezier& curve, double s) {
-  return {bernstein_value(coordinates_of(kPlain, curve, 0), s),
-          bernstein_value(coordinates_of(kPlain, curve, 1), s)};
+  const Pair<double> point = point_at(kPlain, curve, s);
+  return {point.x, point.y};
 }
 
 Vec2 tangent_at(const Bezier& curve, double s) {
-  return {bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 0)), s),
-          bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 1)), s)};
+  const Pair<double> rate = rate_at(kPlain, curve, s);
+  return {rate.x, rate.y};
 }
 
 // An end, or where the way from the point stands upright on the curve: where w(s) . w'(s) = 0, w the
