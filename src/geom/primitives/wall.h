@@ -101,10 +101,8 @@ Vec2 point_met(const Bezier& wall, const Ray& ray, Root root);
 
 /// The side from which a ray comes that crosses a wall in a root. Exact.
 Sign side_met(const Segment& wall, const Ray& ray, Root root);
-constexpr Sign side_met(const Arc&, const Ray&, Root root) {
-  return enters(root) ? Sign::positive : Sign::negative;
-}
-inline Sign side_met(const Bezier&, const Ray&, Root root) {
+template <class Curve>
+constexpr Sign side_met(const Curve&, const Ray&, Root root) {
   return enters(root) ? Sign::positive : Sign::negative;
 }
 /// Whether a ray that starts on a wall stays on a side of it at first; along a segment counts, too.
@@ -119,10 +117,8 @@ inline bool runs_along(const Bezier&, const Vec2&) { return false; }
 /// The root in which a ray leaves a wall when it sets off to a side, and which it does not meet
 /// again.
 constexpr Root root_departed(const Segment&, Sign) { return Root::none; }
-constexpr Root root_departed(const Arc&, Sign side) {
-  return side == Sign::negative ? Root::first : Root::second;
-}
-inline Root root_departed(const Bezier&, Sign side) {
+template <class Curve>
+constexpr Root root_departed(const Curve&, Sign side) {
   return side == Sign::negative ? Root::first : Root::second;
 }
 
