@@ -134,16 +134,14 @@ class Builder {
   Grid convex(const Ring& ring) const { return hull(on_grid(clipped(ring, guard_))); }
 
   std::vector<Grid> convex_figures(const std::vector<Ring>& rings) const {
-    std::vector<Grid> figures(rings.size());
-    std::transform(rings.begin(), rings.end(), figures.begin(),
-                   [this](const Ring& ring) { return convex(ring); });
+    std::vector<Grid> figures;
+    for (const Ring& ring : rings) figures.push_back(convex(ring));
     return figures;
   }
 
   std::vector<Grid> figures(const std::vector<Ring>& rings) const {
-    std::vector<Grid> figures(rings.size());
-    std::transform(rings.begin(), rings.end(), figures.begin(),
-                   [this](const Ring& ring) { return on_grid(clamped(ring, guard_)); });
+    std::vector<Grid> figures;
+    for (const Ring& ring : rings) figures.push_back(on_grid(clamped(ring, guard_)));
     return figures;
   }
 
