@@ -48,7 +48,10 @@ bool is_ever_one_ray(const Scene& scene, const Lamp& lamp) {
   });
 }
 
-constexpr const char* kHint = "say --estimator forward, or estimator = \"forward\" in [light]";
+Diagnostic against_backward(const Place& where, std::string message) {
+  return {where, std::move(message),
+          "say --estimator forward, or estimator = \"forward\" in [light]"};
+}
 
 }  // namespace
 
@@ -68,11 +71,10 @@ std::optional<Diagnostic> why_noisy_backward(const Scene& scene) {
     const LightShares* shares =
         wall.scatterer == kNoEntry ? nullptr : scene.scatterers[wall.scatterer]->shares();
     if (shares != nullptr && shares->isotropic > 0)
-      return Diagnostic{wall.where,
-                        fmt::format("paths from pixels have noise without bounds near {}, which "
-                                    "scatters alike into all directions",
-                                    called(wall.what, wall.name, wall.where)),
-                        kHint};
+      return against_backward(
+          wall.where, fmt::format("paths from pixels have noise without bounds near {}, which "
+                                  "scatters alike into all directions",
+                                  called(wall.what, wall.name, wall.where)));
   }
   return std::nullopt;
 }
@@ -81,44 +83,37 @@ std::optional<Diagnostic> why_not_backward(const Scene& scene) {
   const Lamp* points = nullptr;
   for (const Lamp& lamp : scene.lamps) {
     if (lamp.type->seen == LampSeen::never)
-      return Diagnostic{lamp.where,
-                        fmt::format("no path from a pixel finds the light of {}, whose source is "
-                                    "{}",
-                                    called("lamp", lamp.name, lamp.where), lamp.type->name),
-                        kHint};
+      return against_backward(
+          lamp.where, fmt::format("no path from a pixel finds the light of {}, whose source is {}",
+                                  called("lamp", lamp.name, lamp.where), lamp.type->name));
     if (is_ever_one_ray(scene, lamp))
-      return Diagnostic{lamp.where,
-                        fmt::format("no path from a pixel finds the light of {}, a {} that is one "
-                                    "ray",
-                                    called("lamp", lamp.name, lamp.where), lamp.type->name),
-                        kHint};
+      return against_backward(
+          lamp.where,
+          fmt::format("no path from a pixel finds the light of {}, a {} that is one ray",
+                      called("lamp", lamp.name, lamp.where), lamp.type->name));
     if (lamp.type->seen == LampSeen::points && points == nullptr) points = &lamp;
   }
   for (const Entity& entity : scene.entities)
     if (!entity.alternatives.empty())
-      return Diagnostic{entity.where,
-                        fmt::format("paths from pixels do not know the alternatives of {}",
-                                    called("entity", entity.name, entity.where)),
-                        kHint};
+      return against_backward(entity.where,
+                              fmt::format("paths from pixels do not know the alternatives of {}",
+                                          called("entity", entity.name, entity.where)));
   for (const Wall& wall : walls_of(scene)) {
     if (wall.scatterer != kNoEntry && scene.scatterers[wall.scatterer]->disperses())
-      return Diagnostic{wall.where,
-                        fmt::format("paths from pixels have no wavelength, and {} parts colours",
-                                    called(wall.what, wall.name, wall.where)),
-                        kHint};
+      return against_backward(
+          wall.where, fmt::format("paths from pixels have no wavelength, and {} parts colours",
+                                  called(wall.what, wall.name, wall.where)));
     if (wall.scatterer != kNoEntry && scene.scatterers[wall.scatterer]->depends_on_place())
-      return Diagnostic{wall.where,
-                        fmt::format("no path goes back by way of {}, whose mirror is turned",
-                                    called(wall.what, wall.name, wall.where)),
-                        kHint};
+      return against_backward(wall.where,
+                              fmt::format("no path goes back by way of {}, whose mirror is turned",
+                                          called(wall.what, wall.name, wall.where)));
     if (points != nullptr && is_specular(scene, wall))
-      return Diagnostic{
+      return against_backward(
           points->where,
           fmt::format("no path from a pixel finds the light of {}, a {}, by way of {}, which "
                       "sends it on in one direction",
                       called("lamp", points->name, points->where), points->type->name,
-                      called(wall.what, wall.name, wall.where)),
-          kHint};
+                      called(wall.what, wall.name, wall.where)));
   }
   return std::nullopt;
 }
