@@ -6,8 +6,7 @@ namespace flatray {
 
 IntervalSet interval_set(std::vector<Range> parts) {
   std::erase_if(parts, [](const Range& part) { return !(part.low <= part.high); });
-  std::sort(parts.begin(), parts.end(),
-            [](const Range& a, const Range& b) { return a.low < b.low; });
+  std::ranges::sort(parts, {}, &Range::low);
   std::size_t kept = 0;
   for (const Range& part : parts) {
     if (kept > 0 && part.low <= parts[kept - 1].high)

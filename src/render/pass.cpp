@@ -94,9 +94,8 @@ Result<std::vector<DrawItem>> DrawContext::sorted_items() && {
   // Numbers are sorted, not items: g++ 12 takes the swap of a variant for a use before set.
   std::vector<std::size_t> order(items_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-    return std::tie(items_[a].layer, items_[a].order) < std::tie(items_[b].layer, items_[b].order);
-  });
+  std::ranges::stable_sort(
+      order, {}, [this](std::size_t i) { return std::tie(items_[i].layer, items_[i].order); });
   std::vector<DrawItem> items;
   items.reserve(items_.size());
   for (const std::size_t i : order) items.push_back(std::move(items_[i].item));

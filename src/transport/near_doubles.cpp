@@ -22,8 +22,7 @@ constexpr Order by_distance(int x_ulp, int y_ulp) {
     const int x = step.x * x_ulp, y = step.y * y_ulp;
     return (x * x + y * y) * kSide * kSide + (step.y + kSearchUlps) * kSide + step.x + kSearchUlps;
   };
-  std::sort(all.begin(), all.end(),
-            [&](const UlpSteps& a, const UlpSteps& b) { return key(a) < key(b); });
+  std::ranges::sort(all, {}, key);
   return all;
 }
 

@@ -69,8 +69,7 @@ void sort_by_source(Diagnostics& diagnostics, const Builder& builder) {
     const bool here = builder.text_order.is_in_a_file(d.where);
     return std::tuple(!here, here ? builder.text_order.at(d.where) : 0);
   };
-  std::ranges::stable_sort(
-      diagnostics, [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(diagnostics, {}, rank);
 }
 
 }  // namespace

@@ -51,8 +51,7 @@ class Nesting {
   std::vector<std::size_t> outer_first() const {
     std::vector<std::size_t> order(size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order,
-                             [&](std::size_t a, std::size_t b) { return depths_[a] < depths_[b]; });
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return depths_[i]; });
     return order;
   }
 

@@ -307,9 +307,8 @@ void check_light(Builder& builder) {
     else if (auto noisy = why_noisy_backward(scene))
       builder.in.warning(noisy->where, noisy->message, noisy->hint);
   }
-  const auto most = std::ranges::max_element(scene.entities, [](const Entity& a, const Entity& b) {
-    return a.alternatives.size() < b.alternatives.size();
-  });
+  const auto most = std::ranges::max_element(
+      scene.entities, {}, [](const Entity& entity) { return entity.alternatives.size(); });
   if (most != scene.entities.end() && !most->alternatives.empty() &&
       builder.corners > builder.limits.max_corners / (most->alternatives.size() + 1))
     builder.in.problem(

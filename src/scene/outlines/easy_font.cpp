@@ -39,8 +39,7 @@ FontLine font_line(std::string_view text) {
       for (int x = low.x; x < high.x; ++x) result.pixels.push_back({x, kBaseline - 1 - y});
   }
   const auto key = [](const FontPixel& p) { return std::tuple(p.y, p.x); };
-  std::ranges::sort(result.pixels,
-                    [&](const FontPixel& a, const FontPixel& b) { return key(a) < key(b); });
+  std::ranges::sort(result.pixels, {}, key);
   const auto end =
       std::unique(result.pixels.begin(), result.pixels.end(),
                   [&](const FontPixel& a, const FontPixel& b) { return key(a) == key(b); });

@@ -134,7 +134,7 @@ class Fitting {
     for (std::uint32_t i = 0; i < chamber_.holes.size(); ++i) add(i);
     for (std::size_t k = 0; k < edges_.size(); ++k) {
       std::vector<Gap>& some = gaps_[k];
-      std::ranges::sort(some, [](const Gap& a, const Gap& b) { return a.from < b.from; });
+      std::ranges::sort(some, {}, &Gap::from);
       for (std::size_t i = 0; i + 1 < some.size(); ++i) check_apart(some[i], some[i + 1], 0);
       if (some.size() > 1) check_apart(some.back(), some.front(), 1);
     }

@@ -201,11 +201,8 @@ class JsonReader {
   bool given_twice(const std::vector<Member>& members) {
     std::vector<const Member*> sorted;
     for (const Member& member : members) sorted.push_back(&member);
-    std::ranges::stable_sort(sorted,
-                             [](const Member* a, const Member* b) { return a->key < b->key; });
-    const auto twice =
-        std::adjacent_find(sorted.begin(), sorted.end(),
-                           [](const Member* a, const Member* b) { return a->key == b->key; });
+    std::ranges::stable_sort(sorted, {}, &Member::key);
+    const auto twice = std::ranges::adjacent_find(sorted, {}, &Member::key);
     if (twice == sorted.end()) return false;
     problem_ = Diagnostic{(*(twice + 1))->where, "this name is given twice", "leave one out"};
     return true;
