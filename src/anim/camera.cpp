@@ -72,12 +72,12 @@ Bounds framed(const Timeline& timeline, double time) {
               plus(scene, camera.at->y(), camera.y_curve, time)};
   Bounds box = grown_to_aspect(wanted, film);
   if (camera.height) {
-    const double height = plus(scene, *camera.height, camera.height_curve, time);
+    const double height = plus(scene, *camera.height, time);
     box = centred(centre, {height * film.width / film.height, height});
   } else if (camera.at) {
     box = centred(centre, box.size());
   }
-  const double zoom = plus(scene, camera.zoom, camera.zoom_curve, time);
+  const double zoom = plus(scene, camera.zoom, time);
   return zoom == 1 ? box : centred(box.centre(), box.size() / zoom);
 }
 

@@ -130,7 +130,8 @@ FrameState at(const Timeline& timeline, unsigned frame) {
     const Camera& camera = timeline.scene().camera;
     const Vec2 size = state.window.size();
     state.window = first;
-    if (camera.height_curve || camera.zoom_curve) state.window.high = first.low + size;
+    if ((camera.height && camera.height->curve) || camera.zoom.curve)
+      state.window.high = first.low + size;
   }
   return state;
 }

@@ -29,8 +29,8 @@ std::string reason_of_groups(const Scene& scene, std::optional<std::uint32_t> gr
 }
 
 bool moves(const Camera& camera) {
-  return camera.x_curve || camera.y_curve || camera.height_curve || camera.zoom_curve ||
-         !camera.velocity.isZero(0);
+  return camera.x_curve || camera.y_curve || (camera.height && camera.height->curve) ||
+         camera.zoom.curve || !camera.velocity.isZero(0);
 }
 
 }  // namespace

@@ -346,11 +346,10 @@ enum class CameraMotion { frame_origin, objects };
 
 struct Camera {
   std::optional<Vec2> at;  ///< world position of the window's centre; unset: film.world or content
-  std::optional<double> height;  ///< world units the picture is high
-  double zoom = 1;               ///< how many times larger than that things are shown
-  /// Added to what is set above.
-  std::optional<CurveId> x_curve, y_curve, height_curve, zoom_curve;
-  std::optional<std::uint32_t> follow;  ///< entity kept at the window's centre plus `offset`
+  std::optional<CurveId> x_curve, y_curve;  ///< added to it
+  std::optional<Moving> height;             ///< world units the picture is high
+  Moving zoom{1, {}};                       ///< how many times larger than that things are shown
+  std::optional<std::uint32_t> follow;      ///< entity kept at the window's centre plus `offset`
   Vec2 offset{0, 0};
   Vec2 velocity{0, 0};  ///< of the window's origin, world units a second
   CameraMotion motion = CameraMotion::frame_origin;

@@ -39,7 +39,7 @@ TEST(Camera, HeightAndPlaceOfTheCameraComeFirst) {
   Scene scene = small_scene();
   scene.camera.at = Vec2(100, 50);
   expect_window(window(scene), {90, 45}, {110, 55});
-  scene.camera.height = 4;
+  scene.camera.height = {4, {}};
   expect_window(window(scene), {96, 48}, {104, 52});
   scene.camera.at.reset();
   expect_window(window(scene), {6, 3}, {14, 7});

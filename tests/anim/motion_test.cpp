@@ -59,7 +59,7 @@ TEST(Motion, ColoursThatChangeKeepNoFrameStill) {
 
 TEST(Camera, ZoomShowsLessAboutTheSameMiddle) {
   Scene scene = small_scene();
-  scene.camera.zoom = 4;
+  scene.camera.zoom = {4, {}};
   const Bounds window = at(Timeline(scene, 0, 1), 1).window;
   EXPECT_EQ(window.size(), Vec2(5, 2.5));
   EXPECT_EQ(window.centre(), Vec2(10, 5));
@@ -71,8 +71,7 @@ TEST(Camera, CurvesPanAndZoom) {
   scene.curves = {{Ease::linear, {0, 2}, {0, 8}}, {Ease::linear, {0, 2}, {10, 30}}};
   scene.camera.at = Vec2(1, 5);
   scene.camera.x_curve = 0;
-  scene.camera.height = 0;
-  scene.camera.height_curve = 1;
+  scene.camera.height = {0, 1};
   const Timeline timeline(scene, 0, 3);
   EXPECT_EQ(at(timeline, 1).window.size(), Vec2(20, 10));
   EXPECT_EQ(at(timeline, 3).window.size(), Vec2(60, 30));
@@ -84,8 +83,7 @@ TEST(Camera, ZoomingIsOnePictureWhetherWindowOrObjectsMove) {
   Scene scene = small_scene();
   add_box(scene, {3, 4});
   scene.curves = {{Ease::linear, {0, 2}, {1, 2}}};
-  scene.camera.zoom = 0;
-  scene.camera.zoom_curve = 0;
+  scene.camera.zoom = {0, 0};
   const FrameState moved = at(Timeline(scene, 0, 3), 3);
   Scene displaced = scene;
   displaced.camera.motion = CameraMotion::objects;

@@ -79,17 +79,12 @@ std::optional<Moving> read_above_zero(Builder& builder, const Field& field, cons
 }
 
 void read_height(Builder& builder, const Field& field, Camera& camera) {
-  const auto height = read_above_zero(builder, field, "write the world units the picture is high");
-  if (!height) return;
-  camera.height = height->value;
-  camera.height_curve = height->curve;
+  camera.height = read_above_zero(builder, field, "write the world units the picture is high");
 }
 
 void read_zoom(Builder& builder, const Field& field, Camera& camera) {
   const auto zoom = read_above_zero(builder, field, "write 2 to show everything twice as large");
-  if (!zoom) return;
-  camera.zoom = zoom->value;
-  camera.zoom_curve = zoom->curve;
+  if (zoom) camera.zoom = *zoom;
 }
 
 void read_follow(Builder& builder, const Field& field, Camera& camera) {

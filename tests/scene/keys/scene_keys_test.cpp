@@ -102,7 +102,7 @@ TEST(SceneKeys, FilmCameraAndTime) {
   EXPECT_EQ(scene.film.background, (Colour{1, 2, 3, 4}));
   EXPECT_EQ(scene.film.coverage, Coverage::centre);
   EXPECT_EQ(*loaded("flatray = 1\ncamera = { at = [1, 2] }").scene.camera.at, Vec2(1, 2));
-  EXPECT_EQ(*scene.camera.height, 9);
+  EXPECT_EQ(scene.camera.height->value, 9);
   EXPECT_EQ(*scene.camera.follow, 0u);
   EXPECT_EQ(scene.camera.offset, Vec2(3, 4));
   EXPECT_EQ(scene.camera.velocity, Vec2(5, 6));
