@@ -185,8 +185,7 @@ double corners_a_frame(const Scene& scene, const Motion& motion) {
 }
 
 Bounds box_around(const RigidMotion& motion) {
-  Bounds box;
-  for (const Vec2& p : motion.at.bezier_points(1)) box.add(p);
+  const Bounds box = box_about(motion.at.bezier_points(1));
   double most = 0;
   for (const Swing& swing : motion.swings) most += swing.arm.most(1);
   const double rounding = motion.doubt + 0x1p-40 * (motion.at.sum(1) + most);

@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "geom/ray.h"
 
 namespace flatray {
@@ -28,5 +30,12 @@ struct Bounds {
   Vec2 size() const { return high - low; }
   Vec2 centre() const { return 0.5 * low + 0.5 * high; }
 };
+
+/// The least box that holds all points.
+inline Bounds box_about(std::span<const Vec2> points) {
+  Bounds box;
+  for (const Vec2& point : points) box.add(point);
+  return box;
+}
 
 }  // namespace flatray

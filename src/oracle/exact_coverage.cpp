@@ -79,11 +79,8 @@ template <class Counts>
 Rational area_of(std::span<const std::vector<Vec2>> pieces, int x, int y, const Counts& counts) {
   const Bounds pixel{Vec2(x, y), Vec2(x + 1.0, y + 1.0)};
   std::vector<Ring> rings;
-  for (const std::vector<Vec2>& piece : pieces) {
-    Bounds box;
-    for (const Vec2& v : piece) box.add(v);
-    if (box.meets(pixel)) rings.push_back(ring_of(piece));
-  }
+  for (const std::vector<Vec2>& piece : pieces)
+    if (box_about(piece).meets(pixel)) rings.push_back(ring_of(piece));
   std::vector<Ring> all = rings;
   all.push_back(ring_of(std::array{pixel.low, Vec2(pixel.high.x(), pixel.low.y()), pixel.high,
                                    Vec2(pixel.low.x(), pixel.high.y())}));

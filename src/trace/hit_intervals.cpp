@@ -20,9 +20,9 @@ static_assert(kBlock % lanes::kWidest == 0);
 struct ClosedRing {
   std::vector<Vec2> vertices;
   Bounds box;
-  explicit ClosedRing(std::span<const Vec2> polygon) : vertices(polygon.begin(), polygon.end()) {
+  explicit ClosedRing(std::span<const Vec2> polygon)
+      : vertices(polygon.begin(), polygon.end()), box(box_about(polygon)) {
     vertices.push_back(polygon.front());
-    for (const Vec2& vertex : polygon) box.add(vertex);
   }
 };
 

@@ -118,7 +118,7 @@ class Builder {
     if (ring.size() < 4) return;
     ring.pop_back();  // the first again
     for (Vec2& point : ring) point -= origin_;
-    if (!box_.meets(bounds_of(ring))) return;
+    if (!box_.meets(box_about(ring))) return;
     if (non_convex_vertex(ring))
       out_.mark(FLATRAY_GL_FLIP, figures({ring}), paint_);
     else

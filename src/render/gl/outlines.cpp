@@ -87,10 +87,4 @@ Ring clamped(const Ring& ring, const Bounds& box) {
   return moved;
 }
 
-Bounds bounds_of(std::span<const Vec2> points) {
-  Bounds bounds;
-  for (const Vec2& point : points) bounds.add(point);
-  return bounds;
-}
-
 }  // namespace flatray::gl

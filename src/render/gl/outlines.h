@@ -20,6 +20,4 @@ Ring clipped(Ring ring, const Bounds& box);
 /// The ring with what lies outside `box` moved to its border: winding numbers inside stay.
 Ring clamped(const Ring& ring, const Bounds& box);
 
-Bounds bounds_of(std::span<const Vec2> points);
-
 }  // namespace flatray::gl

@@ -71,9 +71,8 @@ Found clip_all(std::span<const Segment> edges, const InWorld& against) {
   const Shape& shape = against.shape;
   for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
     const std::vector<Vec2> vertices = posed_piece(shape, piece, against.pose);
-    Bounds box;
-    for (const Vec2& vertex : vertices) box.add(vertex);
-    for (const std::size_t i : boxes.near(box)) keep(i, clip_edge(edges[i], vertices));
+    for (const std::size_t i : boxes.near(box_about(vertices)))
+      keep(i, clip_edge(edges[i], vertices));
   }
   for (const Circle& circle : shape.circles) {
     const Circle there = posed(circle, against.pose);

@@ -12,8 +12,7 @@ namespace {
 // Where the vertices go before any decision is made about them, so that decisions are about the
 // final doubles. Gives the number of the first that lies too far away, or how many there are.
 std::size_t lay(std::vector<Vec2>& vertices, const OutlineOptions& options) {
-  Bounds bounds;
-  for (const Vec2& vertex : vertices) bounds.add(vertex);
+  const Bounds bounds = box_about(vertices);
   const Vec2 origin = options.centre && !bounds.empty() ? bounds.centre() : Vec2(0, 0);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (options.centre) vertices[i] -= origin;

@@ -227,7 +227,7 @@ TEST(GlOutlines, ClampingKeepsWindingInside) {
     return turns;
   };
   const Ring moved = clamped(ring, box);
-  const Bounds reach = bounds_of(moved);
+  const Bounds reach = box_about(moved);
   EXPECT_TRUE(box.contains(reach.low) && box.contains(reach.high));
   for (const Vec2& at : {Vec2(5, 5), Vec2(9, 9), Vec2(1, 1), Vec2(5, 1.5), Vec2(9.5, 5)})
     EXPECT_EQ(winding(moved, at), winding(ring, at)) << at.transpose();
