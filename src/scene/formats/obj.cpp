@@ -5,6 +5,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/reading/format.h"
 #include "scene/reading/made_values.h"
+#include "scene/reading/vocabulary.h"
 
 namespace flatray::scene_formats {
 namespace {
@@ -89,9 +90,8 @@ void warn(const ShapeMaker& maker, const ObjText& obj, const SourcePtr& source,
   left_out(maker.flat, " without area left out", "z is dropped: faces seen edge-on have none");
   left_out(maker.crossing, " left out because of edges that cross", "cut it where they do");
   const Place file = named_place(source->name());
-  std::string ignored;
-  for (const std::string& record : obj.ignored) ignored += (ignored.empty() ? "" : ", ") + record;
-  if (!ignored.empty()) warnings.push_back({file, ignored + " ignored", "v, f and l are read"});
+  if (!obj.ignored.empty())
+    warnings.push_back({file, joined(obj.ignored) + " ignored", "v, f and l are read"});
 }
 
 Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,

@@ -41,10 +41,6 @@ void read_keys(Builder& builder, const Value& table, const std::string& name,
                std::span<const Key<T>> keys, T& target) {
   if (!builder.in.is({name, table, "{ ... }"}, Value::Kind::table, "a table")) return;
   check_keys(table, name, key_infos(keys), builder.in.problems);
-  for (const Key<T>& key : keys)
-    if (key.info.fallback == kRequired && table.find(key.info.name) == nullptr)
-      builder.in.problem(table.where, fmt::format("{} needs '{}'", name, key.info.name),
-                         fmt::format("write {} = {}", key.info.name, key.info.takes));
   read_again(builder, table, name, keys, target);
 }
 

@@ -46,10 +46,6 @@ Args::Args(Builder& builder, Field field, std::span<const KeyInfo> keys, KeptArg
       noting_(changing),
       known_(changing) {
   check_keys(field_->value, field_->name, keys, builder.in.problems);
-  for (const KeyInfo& key : keys)
-    if (key.fallback == kRequired && field_->value.find(key.name) == nullptr)
-      builder.in.problem(where, fmt::format("{} needs '{}'", field_->name, key.name),
-                         fmt::format("write {} = {}", key.name, key.takes));
 }
 
 Args::Args(const Scene& scene, const KeptArguments& changing, double time)
@@ -160,12 +156,8 @@ void Args::refuse_size(const Field& field) {
 
 std::int64_t Args::integer(const char* key, std::int64_t fallback, std::int64_t low,
                            std::int64_t high) {
-  const auto read = [&](const Field& field) -> std::optional<double> {
-    const auto number = builder_->in.integer(field, low, high);
-    return number ? std::optional(static_cast<double>(*number)) : std::nullopt;
-  };
-  const std::optional<double> number = plain(key, read);
-  return number ? static_cast<std::int64_t>(*number) : fallback;
+  return plain(key, fallback,
+               [&](const Field& field) { return builder_->in.integer(field, low, high); });
 }
 
 std::string Args::string(const char* key, std::string fallback) {
@@ -180,11 +172,7 @@ std::string Args::string(const char* key, std::string fallback) {
 }
 
 bool Args::flag(const char* key, bool fallback) {
-  const auto read = [&](const Field& field) -> std::optional<double> {
-    const auto flag = builder_->in.flag(field);
-    return flag ? std::optional(*flag ? 1.0 : 0.0) : std::nullopt;
-  };
-  return plain(key, read).value_or(fallback ? 1 : 0) != 0;
+  return plain(key, fallback, [&](const Field& field) { return builder_->in.flag(field); });
 }
 
 std::vector<Vec2> Args::points(const char* key) {

@@ -39,12 +39,8 @@ class Args {
   std::vector<Vec2> points(const char* key);
   template <class E>
   E word(const char* key, E fallback, std::span<const Word<E>> words) {
-    const auto read = [&](const Field& field) -> std::optional<double> {
-      const auto word = builder_->in.word(field, words);
-      return word ? std::optional(static_cast<double>(*word)) : std::nullopt;
-    };
-    const std::optional<double> number = plain(key, read);
-    return number ? static_cast<E>(static_cast<int>(*number)) : fallback;
+    return plain(key, fallback,
+                 [&](const Field& field) { return builder_->in.word(field, words); });
   }
   /// Place of an argument, or of all of them where it is not given.
   Place place(const char* key) const;
@@ -82,19 +78,19 @@ class Args {
     read(*field, argument);
     return &noting_->arguments.emplace_back(std::move(argument));
   }
-  /// What cannot change and is kept as a number.
-  template <class Read>
-  std::optional<double> plain(const char* key, const Read& read) {
+  /// What cannot change: a word, whole number or truth value, which is kept as a number.
+  template <class Plain, class Read>
+  Plain plain(const char* key, Plain fallback, const Read& read) {
     if (known_ == nullptr) {
       const std::optional<Field> field = find(key);
-      return field ? read(*field) : std::nullopt;
+      return field ? read(*field).value_or(fallback) : fallback;
     }
     const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
-      if (const auto number = read(field)) made.numbers.push_back({*number, {}});
+      if (const auto value = read(field)) made.numbers.push_back({static_cast<double>(*value), {}});
     });
     return argument == nullptr || argument->numbers.empty()
-               ? std::nullopt
-               : std::optional(argument->numbers.front().value);
+               ? fallback
+               : static_cast<Plain>(argument->numbers.front().value);
   }
   const Moving* changing_number(const char* key);
   double changing_size(const char* key);

@@ -1,6 +1,6 @@
 #include "scene/reading/vocabulary.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "base/left_out.h"
 #include "scene/keys/build_scene.h"
@@ -59,7 +59,7 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
   std::size_t unknown = 0;
   for (const Member& member : table.members) {
     if (std::ranges::find(known, member.key) != known.end()) continue;
-    if (++unknown > kMaxUnknownKeys) return;
+    if (++unknown > kMaxUnknownKeys) break;
     const std::string near = meant(member.key, known);
     std::string message =
         fmt::format("unknown key '{}' of {}", member.key.substr(0, 64), table_name);
@@ -69,6 +69,10 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
                         : known.empty() ? "it has no keys: write {}"
                                         : "known: " + comma_list(known)});
   }
+  for (const KeyInfo& key : keys)
+    if (key.fallback == kRequired && table.find(key.name) == nullptr)
+      problems.push_back({table.where, fmt::format("{} needs '{}'", table_name, key.name),
+                          fmt::format("write {} = {}", key.name, key.takes)});
 }
 
 namespace {

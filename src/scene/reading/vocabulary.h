@@ -39,7 +39,8 @@ std::vector<KindInfo> kinds();
 /// Every table of the language, kinds included: for documents, completion and tests.
 std::vector<TableInfo> vocabulary();
 
-/// One problem for each member of `table` that `keys` does not hold, with the nearest key.
+/// One problem for each member of `table` that `keys` does not hold, with the nearest key, and for
+/// each required key that it lacks.
 void check_keys(const Value& table, std::string_view table_name, std::span<const KeyInfo> keys,
                 Diagnostics& problems);
 
