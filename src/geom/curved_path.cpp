@@ -273,10 +273,7 @@ Bounds bounds_of(const CurvedPath& path) {
   for (const PathEdge& edge : path.edges) {
     box.add(edge.from);
     box.add(edge.to);
-    if (!edge.arc) continue;
-    const Bounds curve = curve_bounds(edge.arc->curve);
-    box.add(curve.low);
-    box.add(curve.high);
+    if (edge.arc) box.add(curve_bounds(edge.arc->curve));
   }
   return box;
 }

@@ -168,8 +168,7 @@ class Flight {
 
   /// Where a wall is met that the ray is known to meet next, in a corner.
   std::optional<Pair<Number>> corner_at(std::uint32_t surface) const {
-    if (auto end = walls_.visit(surface, [&](const auto& wall) { return end_of(wall, surface); }))
-      return end;
+    if (const auto meeting = first_of(surface); meeting && meeting->end) return pair(*meeting->end);
     Flight there(*this);
     if (there.bounce(surface)) return there.point_;
     return walls_.visit(surface, [&](const auto& wall) { return first_end(wall); });
@@ -215,14 +214,6 @@ class Flight {
     const Ellipse& disc = walls_.arc(copy.of).curve;
     return curve_power(course_.make, disc, point_ - way_of(copy.step) - pair(disc.centre)).sign() ==
            Sign::zero;
-  }
-
-  // The end at which a wall is known to be met.
-  std::optional<Pair<Number>> end_of(const Segment&, std::uint32_t) const { return std::nullopt; }
-  std::optional<Pair<Number>> end_of(const Bezier&, std::uint32_t) const { return std::nullopt; }
-  std::optional<Pair<Number>> end_of(const Arc&, std::uint32_t surface) const {
-    const auto meeting = first_of(surface);
-    return meeting && meeting->end ? std::optional(pair(*meeting->end)) : std::nullopt;
   }
 
   // Of a wall on the line of the ray.
@@ -292,7 +283,7 @@ class Flight {
     return (a.x - b.x).sign() == Sign::zero && (a.y - b.y).sign() == Sign::zero;
   }
 
-  // Of a curved wall that is known to be met. A place that is open may be that of a root.
+  // Of a wall that is known to be met. A place that is open may be that of a root.
   std::optional<CourseHit<Number>> first_of(std::uint32_t surface) const {
     std::optional<CourseHit<Number>> first;
     for (const CourseHit<Number>& meeting : meetings(surface)) {
