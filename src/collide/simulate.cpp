@@ -113,7 +113,10 @@ class Run {
   // Whether all that happens in the while was allowed to.
   bool run_while(Simulation& done, std::size_t most_events) {
     for (std::vector<Hit> hits = next_hits(); !hits.empty(); hits = next_hits()) {
-      const bool at_once = !done.events.empty() && done.events.back().time == now_;
+      // Time that goes on by no more than each event is rounded by stands still.
+      const double rounding = 0x1p-51 * now_ * static_cast<double>(at_once_ + 1);
+      const bool at_once = now_ - stands_from_ <= rounding;
+      if (!at_once) stands_from_ = now_;
       at_once_ = at_once ? at_once_ + hits.size() : 0;
       const bool full = done.events.size() == most_events;
       done.jammed =
@@ -247,7 +250,8 @@ class Run {
   double length_ = 0;                     // of a while
   double while_from_ = 0, while_to_ = 0;  // events after the one, up to the other
   double now_ = 0;                        // the last time at which something met
-  std::size_t at_once_ = 0;               // events then so far, but for the first
+  double stands_from_ = -1;               // since when time stands still
+  std::size_t at_once_ = 0;               // events since then, but for the first
   std::vector<std::vector<Stage>> stages_;
   BodyPairs pairs_;
   Instants instants_;

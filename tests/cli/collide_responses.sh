@@ -85,6 +85,26 @@ run 4 collide jam.toml -q --csv -D collisions.most=1
 says err "1 events before t = 8"
 (($(wc -l < out.txt) == 2)) || fail "the event that is allowed is told"
 run 0 collide jam.toml -f 1 --csv
+# A triangle wedged between the arms of a C is thrown from one to the other, an ulp of time later each.
+cat > wedged.toml << 'EOF'
+flatray = 1
+fps = 2
+frames = 2
+collisions = { response = "bounce" }
+[[entity]]
+name = "c"
+shape = { polygon = { points = [[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [3, 2], [3, 3], [0, 3]] } }
+at = [3.6912795886338685, 1.456552405672305]
+velocity = [0.7636087649379544, 0.3930329351851207]
+[[entity]]
+name = "triangle"
+shape = { polygon = { points = [[-0.8552745414071192, -0.44000518205351735], [2.4413635052296163, 0.9175524351125182], [1.6156941315572322, 2.005212343871843]] } }
+at = [3.8440966137886914, 2.898925314258662]
+velocity = [0.7684743068813891, -1.7073448042552202]
+EOF
+run 4 collide wedged.toml --csv
+says err "bodies are jammed"
+(($(wc -l < out.txt) < 10000)) || fail "$(wc -l < out.txt) lines of events before the jam"
 # Boxes that land lie still after an event each; one that stands a last bit too low is held by the floor.
 cat > pile.toml << 'EOF'
 flatray = 1

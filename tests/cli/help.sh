@@ -16,6 +16,11 @@ done
 run 0 help film
 says out '[width, height]'
 says out '[640, 360]'
+run 0 help glass  # and by its whole name, material.glass
+says out 'material = { glass = { ... } }'
+says out 'dispersion'
+run 0 help beam
+says out 'source = { beam = { ... } }'
 run 0 help markov
 says out 'hold'
 says out 'the chain'"'"'s first row'

@@ -33,6 +33,25 @@ TEST(Meetings, SameWhicheverFrameRate) {
   }
 }
 
+// A point that passes by the top of a slanting capsule touches it where the upper end is highest, exactly.
+TEST(Meetings, SlantingCapsulesAreTouchedAtTheirTops) {
+  for (int x = -4; x <= 4; ++x)
+    for (int y = 1; y <= 5; ++y)
+      for (const int radius : {1, 2, 3}) {
+        const Scene scene = scene_of(fmt::format(
+            "flatray = 1\nfps = 1\nframes = 41\n"
+            "[[entity]]\nshape = {{ circle = {{ radius = 0 }} }}\nat = [-20, {}]\nvelocity = [1, "
+            "0]\n"
+            "[[entity]]\nshape = {{ capsule = {{ from = [1, 2], to = [{}, {}], radius = {} }} }}\n",
+            2 + y + radius, 1 + x, 2 + y, radius));
+        const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 41), 41).value();
+        ASSERT_EQ(met.size(), 1U) << x << " " << y << " " << radius;
+        EXPECT_EQ(met[0].part.kind, HitClass::touch);
+        EXPECT_EQ(met[0].part.times.low, 21 + x);
+        EXPECT_EQ(met[0].part.times.high, 21 + x);
+      }
+}
+
 TEST(Meetings, CapsulesAndEllipsesMeetAsTheyAre) {
   const Scene scene = scene_of(
       "flatray = 1\nfps = 1\nframes = 21\n"

@@ -53,6 +53,13 @@ std::vector<TableInfo> tables_named(std::string_view names) {
   return found;
 }
 
+// What is called so alone: "glass" is "material.glass".
+std::vector<TableInfo> kinds_named(std::string_view name) {
+  std::vector<TableInfo> found = vocabulary();
+  std::erase_if(found, [&](const TableInfo& table) { return KindInfo::name(table) != name; });
+  return found;
+}
+
 std::string topic_text(const WrittenTopic& topic) {
   std::string text = fmt::format("{}: {}\n\n{}", topic.name, topic.summary, topic.text);
   for (const TableInfo& table : tables_named(topic.tables)) text += "\n" + table_text(table);
@@ -92,7 +99,7 @@ std::string help_text() {
   for (const WrittenTopic& topic : written_topics())
     text += fmt::format("  {:<11} {}\n", topic.name, topic.summary);
   return text +
-         "and every table and shape of scenes, as in: flatray help film\n\n"
+         "and every table, shape, material and lamp of scenes, as in: flatray help film\n\n"
          "flatray --version says what is built in. An option --size can also be set by "
          "FLATRAY_SIZE,\n"
          "or for a folder by size = \"640x360\" in its flatray.toml.\n"
@@ -121,6 +128,10 @@ Result<std::string> help_page(const std::string& name) {
     if (name == topic.name) return topic_text(topic);
   if (const std::vector<TableInfo> tables = tables_named(name); !tables.empty())
     return table_text(tables.front());
+  std::string text;
+  for (const TableInfo& table : kinds_named(name))
+    text += (text.empty() ? "" : "\n") + table_text(table);
+  if (!text.empty()) return text;
   return unknown_name(named_place("help"), "topic", name, help_names());
 }
 

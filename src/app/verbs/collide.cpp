@@ -124,8 +124,10 @@ std::string left_out(const Scene& scene) {
       names.push_back(entity_name(scene, i));
   }
   if (names.empty()) return {};
-  return fmt::format("curves are left out but circles, capsules and ellipses: {}{}",
-                     comma_list(names), more == 0 ? "" : fmt::format(" and {} more", more));
+  return fmt::format(
+      "left out are outlines that cross themselves and curves but circles, capsules and ellipses: "
+      "{}{}",
+      comma_list(names), more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
 Table event_table(const Scene& scene, const Simulation& done, const Asked& asked) {

@@ -91,7 +91,7 @@ void warn(const ShapeMaker& maker, const ObjText& obj, const SourcePtr& source,
   left_out(maker.crossing, " left out because of edges that cross", "cut it where they do");
   const Place file = named_place(source->name());
   if (!obj.ignored.empty())
-    warnings.push_back({file, joined(obj.ignored) + " ignored", "v, f and l are read"});
+    warnings.push_back({file, comma_list(obj.ignored) + " ignored", "v, f and l are read"});
 }
 
 Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,

@@ -82,7 +82,7 @@ void add_triangle(Shape& shape, std::span<const Vec2, 3> corners, bool clockwise
 
 void add_flat(Shape& shape, std::span<const Vec2> points) {
   if (points.empty()) return;
-  const auto [low, high] = std::minmax_element(points.begin(), points.end(), before);
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(), is_before);
   if (*low == *high)
     shape.circles.push_back({*low, 0});
   else

@@ -11,10 +11,10 @@ constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
 
 Result<Shape> build(Args& args) {
   const Circle circle{args.point("centre"), args.number("radius")};
-  if (circle.radius < 0 || circle.radius > kFarthest)
+  if (circle.radius < 0)
     return fail(args.place("radius"),
                 fmt::format("circle has a radius of {}", number_text(circle.radius)),
-                "it must be at least 0, and at most 1e300; 0 is a point");
+                "it must be at least 0; 0 is a point");
   Shape shape;
   shape.circles.push_back(circle);
   return shape;
