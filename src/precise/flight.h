@@ -41,9 +41,10 @@ class Flight {
         course_(start, make),
         point_(pair(start.origin)),
         first_entry_(point_) {
-    for (const auto surface : ExactOrigins(walls).walls_at(start.origin)) departed_ = surface;
-    if (const auto* copy = periodic.find_copy(departed_); copy != nullptr && !stands_on(*copy))
-      departed_ = kNoSurface;
+    for (const auto surface : ExactOrigins(walls).walls_at(start.origin)) {
+      const auto* copy = periodic.find_copy(surface);
+      if (copy == nullptr || stands_on(*copy)) departed_ = surface;
+    }
   }
 
   Prospect next() const {
@@ -222,7 +223,7 @@ class Flight {
     if (a.part != b.part || a.part == WallPart::other) return false;
     if (a.part == WallPart::line)
       return lies_along(walls_.segment(b.surface), walls_.segment(a.surface));
-    return a.end == b.end &&
+    return a.end == b.end && !periodic_.find_copy(a.surface) && !periodic_.find_copy(b.surface) &&
            is_same_curve(walls_.arc(a.surface).curve, walls_.arc(b.surface).curve);
   }
 

@@ -71,8 +71,12 @@ std::optional<double> Flight<Number, Make>::end_of_free(const Segment& wall, int
   for (std::uint32_t i = 0; i < walls_.size(); ++i) {
     if (periodic_.has(i)) continue;
     Bounds box = walls_.visit(i, [](const auto& one) { return bounds_of(one); });
-    if (periodic_.find_copy(i) != nullptr) {  // it is that of its rounded centre
-      const double off = 0x1p-50 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+    if (const auto* copy = periodic_.find_copy(i)) {  // the box is that of its rounded centre
+      const Bounds of = bounds_of(walls_.arc(copy->of));
+      const auto size = [](const Bounds& b) {
+        return b.low.cwiseAbs().cwiseMax(b.high.cwiseAbs()).maxCoeff();
+      };
+      const double off = 0x1p-49 * (size(box) + size(of));
       box.low -= Vec2::Constant(off);
       box.high += Vec2::Constant(off);
     }

@@ -77,6 +77,13 @@ run 0 convert turns.toml with_chamber.toml "${new[@]}"
 run 0 render with_chamber.toml -o new_again.png -q
 run 0 compare new.png new_again.png
 run 1 compare turns.png new.png
+# Several new ones come in their order, and copies of an entity together.
+new=(-D 'ray=[]' -D 'entity.0.fill="#0000ff"' -D 'entity=[{ shape={ box={ min=[0, 0], max=[3, 3] } }, fill="#0000ff", repeat={ grid={ count=[2, 1], step=[1, 1] } } }, { shape={ box={ min=[1, 0], max=[2, 4] } }, fill="#00ff00", repeat={ grid={ count=[2, 1], step=[1, 1] } } }]' -D 'ray=[{ at=[0, 3], direction=[1, 0], stroke={ width=1, colour="#ff0000" } }]' -D 'chamber=[{ shape={ box={ min=[0, 0], max=[6, 6] } }, fill="#00000080" }]')
+run 0 render turns.toml "${new[@]}" -o several.png -q
+run 0 convert turns.toml several.toml "${new[@]}"
+run 0 render several.toml -o several_again.png -q
+run 0 compare several.png several_again.png
+[[ $(grep '^\[' several.toml | tr -d '\n') == *entity*entity*ray*chamber* ]] || fail "$(grep '^\[' several.toml | tr '\n' ' ')"
 
 # What the folder of the file means is kept, also on standard output, which is written from here.
 scene plain.toml 1

@@ -48,6 +48,8 @@ class HqzReader {
     each("objects", [&](const Value& value) { read_object(value, scene); });
     if (problems_.empty() && scene.lights.empty())
       problem(root_.where, "no light shines", R"(write "lights": [[1, x, y, 0, 0, [0, 360], 0]])");
+    const auto place = [](const Diagnostic& problem) { return problem.where.offset; };
+    std::ranges::stable_sort(problems_, {}, place);
     if (!problems_.empty()) return tl::unexpected(std::move(problems_));
     return scene;
   }
@@ -198,6 +200,8 @@ class HqzReader {
       warning(root_.where, "no exposure is given: it is 0", R"(write "exposure": 0.6)");
     const Member* gamma = root_.find("gamma");
     scene.gamma = setting("gamma", -kFarthestHqz, kFarthestHqz).value_or(0);
+    if (gamma != nullptr && gamma->value.text != "null" && !(scene.gamma > 0))
+      warning(gamma->value.where, "a gamma of 0 and less counts as 1", "write 2.2");
     if (!(scene.gamma > 0)) scene.gamma = 1;
     if (!(scene.gamma >= 0.1 && scene.gamma <= 10) && gamma != nullptr)
       problem(gamma->value.where, "gamma does not lie between 0.1 and 10", "write 2.2");

@@ -118,27 +118,29 @@ void add_copies_of_discs(Scene& scene, Chamber& chamber) {
     const double radius = disc.circles.front().radius;
     const Vec2 local = disc.circles.front().centre;
     if (pillar.angle != 0 && !local.isZero(0)) continue;
-    // Of centre and place the one that is 0 stays it, so that what is in a corner stays exact.
-    const bool in_shape = pillar.at.isZero(0);
-    const Vec2 from = pillar.at, centre = from + local;
+    // Copies are rounded once; of centre and place one that is 0 stays it.
+    const bool in_shape = pillar.at.isZero(0) || !local.isZero(0);
+    const Vec2 centre = pillar.at + local;
     const double depth = least_depth(cell, centre);
     if (!(depth < radius && depth > -radius)) continue;
     pillar.across = true;
     pillar.copy_of = static_cast<std::uint32_t>(i);
     chamber.pillars[i].across = true;
-    if (in_shape) pillar.angle = 0;  // which would turn the centre of the copy
+    if (in_shape) {
+      pillar.at = {0, 0};
+      pillar.angle = 0;  // which would turn the centre of the copy
+    }
     for (int n = -2; n <= 2; ++n)
       for (int m = -2; m <= 2; ++m) {
-        const Vec2 place = lattice.moved(in_shape ? local : from, n, m);
-        const Vec2 there = in_shape ? place : Vec2(place + local);
+        const Vec2 there = lattice.moved(centre, n, m);
         if ((n == 0 && m == 0) || !(least_depth(cell, there) > -kGenerous * radius)) continue;
         if (in_shape) {
           Shape moved = disc;
-          moved.circles.front().centre = place;
+          moved.circles.front().centre = there;
           pillar.shape = static_cast<ShapeId>(scene.shapes.size());
           scene.shapes.push_back(std::move(moved));
         } else {
-          pillar.at = place;
+          pillar.at = there;
         }
         chamber.pillars.push_back(pillar);
       }

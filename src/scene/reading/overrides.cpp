@@ -63,16 +63,20 @@ Result<Value*> part(Value& whole, const Member& step) {
   return &whole.members.back().value;
 }
 
-// Follows the one chain of keys in `step` down `target` and puts its value there. Gives where that
-// stood which it replaces.
-Result<Place> put(Value* target, const Member* step) {
+// Follows the one chain of keys in `step` down the scene and puts its value there.
+Result<void> put(SceneDesc& desc, const Member* step) {
+  Value* target = &desc.root;
   for (;;) {
     FLATRAY_TRY(next, part(*target, *step));
     target = *next;
     if (!is_part_of_key(step->value)) break;
     step = &step->value.members.front();
   }
-  return std::exchange(*target, step->value).where;
+  const Place replaced = std::exchange(*target, step->value).where;
+  const bool is_new = replaced.source == step->where.source;  // its table was made for it
+  desc.options.push_back(
+      {step->where.source, step->value.where.offset, is_new ? Place{} : replaced});
+  return {};
 }
 
 bool is_one_key(const Value& table) {
@@ -122,11 +126,7 @@ Result<void> apply_override(SceneDesc& desc, const Override& override_value) {
     parsed = fail(where, "this is not one key and one value", "write -D film.size=[640,360]",
                   Trouble::usage);
   if (!parsed) return fail(std::move(parsed));
-  const Member& key = parsed->root.members.front();
-  FLATRAY_TRY(replaced, put(&desc.root, &key));
-  if (replaced->source != key.where.source)
-    desc.replaced.insert_or_assign(key.where.source.get(), *replaced);
-  return {};
+  return put(desc, &parsed->root.members.front());
 }
 
 bool is_override(const Place& place) {

@@ -73,21 +73,42 @@ Value array_value(Place where, std::vector<Value> items) {
   return {Value::Kind::array, std::move(where), {}, std::move(items), {}};
 }
 
-TextOrder::TextOrder(const SceneDesc& desc) : replaced_(desc.replaced) {
+TextOrder::TextOrder(const SceneDesc& desc) {
+  std::uint64_t end = 0;
   for (const SourcePtr& source : desc.sources) {
-    before_.emplace(source.get(), end_);
-    end_ += source->text().size() + 1;
+    before_.emplace(source.get(), end);
+    end += source->text().size() + 1;
+  }
+  for (const OptionText& option : desc.options) {
+    const Inserted* other = find(option.replaces.source.get());
+    const std::uint64_t at = other != nullptr  ? other->at
+                             : option.replaces ? in_files(option.replaces)
+                                               : end++;
+    options_.push_back({option, at});
   }
 }
 
-std::uint64_t TextOrder::at(const Place& place) const {
-  const SourceText* const source = place.source.get();
-  if (source != nullptr && source->kind() == SourceText::Kind::option) {
-    const auto replaced = replaced_.find(source);
-    return replaced == replaced_.end() ? end_ : at(replaced->second);
-  }
-  const auto before = before_.find(source);
+const TextOrder::Inserted* TextOrder::find(const SourceText* option) const {
+  const auto found = std::ranges::find_if(
+      options_, [&](const Inserted& one) { return one.text.source.get() == option; });
+  return found == options_.end() ? nullptr : &*found;
+}
+
+std::uint64_t TextOrder::in_files(const Place& place) const {
+  const auto before = before_.find(place.source.get());
   return place.offset + (before == before_.end() ? 0 : before->second);
+}
+
+// As if each option's text stood in the files: what follows comes so much later.
+std::uint64_t TextOrder::at(const Place& place) const {
+  const Inserted* option = find(place.source.get());
+  if (option != nullptr && option->text.replaces)
+    return at(option->text.replaces) + place.offset - option->text.begin;
+  const std::uint64_t first = option != nullptr ? option->at : in_files(place);
+  std::uint64_t at = option != nullptr ? first + place.offset : first;
+  for (const Inserted& other : options_)
+    if (other.at < first) at += other.size();
+  return at;
 }
 
 }  // namespace flatray

@@ -48,18 +48,24 @@ Value string_value(Place where, std::string text);
 Value table_value(Place where, std::vector<Member> members);
 Value array_value(Place where, std::vector<Value> items);
 
+/// A value that an option put into a scene.
+struct OptionText {
+  SourcePtr source;
+  std::size_t begin;  ///< of the value in it
+  Place replaces;     ///< where that stood which it replaces; none of what is new
+};
+
 /// A scene before its meaning is checked.
 struct SceneDesc {
   Value root;
   Diagnostics warnings{};            ///< of the importer
   bool ends = false;                 ///< Scene::ends
   std::vector<SourcePtr> sources{};  ///< the files it is made of, in the order of their entries
-  /// By option, where that stood which its value replaced; none of what is new.
-  std::map<const SourceText*, Place> replaced{};
+  std::vector<OptionText> options{};
 };
 
 /// The order of what a scene's files hold: that of their text, files included first. What an option
-/// put there stands where what it replaced stood, or else after all.
+/// put there stands where what it replaced stood, or else after all, in the order of the options.
 class TextOrder {
  public:
   TextOrder() = default;
@@ -68,9 +74,16 @@ class TextOrder {
   bool is_in_a_file(const Place& place) const { return before_.contains(place.source.get()); }
 
  private:
+  struct Inserted {
+    OptionText text;
+    std::uint64_t at;  ///< without what other options put before it
+    std::uint64_t size() const { return text.source->text().size(); }
+  };
+  const Inserted* find(const SourceText* option) const;
+  std::uint64_t in_files(const Place& place) const;
+
   std::map<const SourceText*, std::uint64_t> before_;  ///< bytes of the files before each
-  std::map<const SourceText*, Place> replaced_;
-  std::uint64_t end_ = 0;
+  std::vector<Inserted> options_;
 };
 
 }  // namespace flatray

@@ -1,5 +1,6 @@
 // needs: formats/hqz lamps/ranges materials/mix shapes/segment
 // Scenes of HQZ, and what is made of them.
+#include <algorithm>
 #include <cmath>
 
 #include "scene/curve.h"
@@ -147,6 +148,9 @@ TEST(HqzFormat, WhatIsNotHonouredIsTold) {
                                 R"(, "timelimit": 5, "gama": 2, "debug": 1)"))
                  .warnings,
              "warning");
+  const auto gamma = hqz_scene(hqz_text(kLight, "", "", R"(, "gamma": -2)")).warnings;
+  ASSERT_EQ(gamma.size(), 1U);
+  EXPECT_NE(gamma[0].message.find("gamma of 0 and less counts as 1"), std::string::npos);
   for (const char* part :
        {"t.json:1:", "timelimit is not honoured", "unknown key 'gama'", "did you mean 'gamma'?",
         "debug is not honoured", "power is not drawn", "light of 100 nm is not seen",
@@ -193,6 +197,8 @@ TEST(HqzFormat, MistakesAreToldWhereTheyStand) {
   const auto all = hqz(with("[1]", "[0]", "[[2]]"));
   ASSERT_FALSE(all);
   EXPECT_EQ(all.error().size(), 3U);
+  EXPECT_TRUE(
+      std::ranges::is_sorted(all.error(), {}, [](const Diagnostic& d) { return d.where.offset; }));
 }
 
 TEST(HqzFormat, LimitsNameTheirOptions) {
