@@ -101,8 +101,7 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
 }
 
 Ellipse curve_of(const EllipseArc& arc, const Pose& place) {
-  if (arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x()))
-    return posed(Circle{arc.centre, circle_radius(arc.u)}, place);
+  if (arc.is_circular()) return posed(Circle{arc.centre, circle_radius(arc.u)}, place);
   return {place(arc.centre), place.turned(arc.u), place.turned(arc.v)};
 }
 

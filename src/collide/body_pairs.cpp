@@ -31,7 +31,7 @@ void add(std::optional<Hit>& met, double time, Touch touch) {
     return;
   }
   std::vector<Touch>& all = met->touches;
-  if (comes_before(touch.place.point, all.front().place.point)) std::swap(touch, all.front());
+  if (is_before(touch.place.point, all.front().place.point)) std::swap(touch, all.front());
   const auto alike = [&](const Touch& other) { return other.place.normal == touch.place.normal; };
   if (std::none_of(all.begin(), all.end(), alike)) all.push_back(touch);
 }

@@ -57,11 +57,6 @@ const char* contact_name(StartPlace start);
 /// Source  one clip of the relative velocity against the Minkowski difference of the cores, grown by both radii.
 Contact contact(const MovingBody& a, const MovingBody& b, Range within = kRay);
 
-/// An order of points, which is also that along a line.
-inline bool comes_before(const Vec2& p, const Vec2& q) {
-  return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
-}
-
 /// Where two bodies touch, and the unit normal there, out of the first; about.
 struct ContactPlace {
   Vec2 point, normal;

@@ -29,7 +29,7 @@ ShapePart ellipse_part(const Ellipse& curve) {
 // cuts overlaps, where contact with each piece alone tells that they touch. `cut`: between its ends.
 void count_cut(std::array<Vec2, 2> cut, const Vec2& velocity, const MovingBody& thin, Range within,
                std::vector<MeetingPart>& met) {
-  if (comes_before(cut[1], cut[0])) std::swap(cut[0], cut[1]);
+  if (is_before(cut[1], cut[0])) std::swap(cut[0], cut[1]);
   const auto& ring = thin.vertices;
   if (!std::all_of(ring.begin(), ring.end(),
                    [&](const Vec2& p) { return orientation(cut[0], cut[1], p) == Sign::zero; }))
@@ -41,9 +41,8 @@ void count_cut(std::array<Vec2, 2> cut, const Vec2& velocity, const MovingBody& 
       part.start = std::max(part.start, start);
     }
   };
-  const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), comes_before);
-  if (within.low <= 0 && within.high >= 0 && comes_before(*low, cut[1]) &&
-      comes_before(cut[0], *high))
+  const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), is_before);
+  if (within.low <= 0 && within.high >= 0 && is_before(*low, cut[1]) && is_before(cut[0], *high))
     raise(0, StartPlace::inside);
   if (cross_sign(velocity, thin.velocity, cut[0], cut[1]) != Sign::zero) return;
   // On that line at all times: for a while on the cut, or only at one of its ends.

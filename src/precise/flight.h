@@ -190,7 +190,7 @@ class Flight {
   std::vector<CourseHit<Number>> meetings(const PeriodicWalls::Copy& copy) const {
     const Pair<Number> way = way_of(copy.step);
     Course<Number, Make> there = course_;
-    there.move(way_of({-copy.step.a, -copy.step.b}));
+    there.move({-way.x, -way.y});
     auto met = there.meet(walls_.arc(copy.of), copy.surface == departed_);
     for (CourseHit<Number>& meeting : met)
       if (meeting.place) meeting.place = *meeting.place + dot(way, course_.direction);
@@ -302,7 +302,7 @@ class Flight {
 
   bool bounce_off(const PeriodicWalls::Copy& copy) {
     const Pair<Number> way = way_of(copy.step);
-    course_.move(way_of({-copy.step.a, -copy.step.b}));
+    course_.move({-way.x, -way.y});
     departed_ = departed_ == copy.surface ? copy.of : kNoSurface;
     const bool known = bounce_off(walls_.arc(copy.of), copy.of);
     course_.move(way);

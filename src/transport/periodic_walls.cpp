@@ -5,7 +5,6 @@
 
 #include "geom/error_free.h"
 #include "geom/predicates.h"
-#include "scene/outlines/lattice_cell.h"
 #include "transport/near_doubles.h"
 
 namespace flatray {
@@ -82,7 +81,8 @@ std::vector<Disc> discs_across(const Surfaces& walls, std::span<const PeriodicWa
 // have left it. Of two the earlier surface is no copy.
 std::vector<PeriodicWalls::Copy> copies_among(std::span<const Disc> discs, const Lattice& lattice) {
   constexpr int kCells = 2;
-  constexpr double kRounding = 0x1p-51;  // of a centre's size, in copies that were rounded twice
+  constexpr double kRounding =
+      0x1p-51;  // of a centre's size, where a moving camera has rounded copies again
   std::vector<PeriodicWalls::Copy> copies;
   std::vector<bool> known(discs.size(), false);
   for (std::size_t i = 0; i < discs.size(); ++i) {

@@ -8,10 +8,12 @@
 namespace flatray {
 
 Result<LineStream> LineStream::open(const std::string& path) {
-  if (path == "-") return LineStream(Descriptor(STDIN_FILENO), "standard input");
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file) return cannot("read", path, errno, Trouble::missing);
-  return LineStream(std::move(file), path);
+  const bool is_input = path == "-";  // which stays open when the stream closes its own
+  const std::string name = is_input ? "standard input" : path;
+  Descriptor file(is_input ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                           : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) return cannot("read", name, errno, Trouble::missing);
+  return LineStream(std::move(file), name);
 }
 
 // Reads once; false at the end.

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <functional>
+
 #include "app/files/scene_input.h"
 #include "app/report/report.h"
 #include "app/verb.h"

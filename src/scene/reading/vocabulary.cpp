@@ -1,6 +1,6 @@
 #include "scene/reading/vocabulary.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/left_out.h"
 #include "scene/keys/build_scene.h"

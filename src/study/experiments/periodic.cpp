@@ -1,8 +1,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
+#include <functional>
 
 #include "base/counted.h"
 #include "base/portable_math.h"
