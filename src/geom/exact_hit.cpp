@@ -46,7 +46,7 @@ Vec2 ExactHit::normal() const {
     const auto rate = [&](int axis, const Bounded& near) {
       if (const auto value = near.nearest()) return *value;
       return exact_parameter(*bezier_, ray_, *root_)
-          .value_of(derivative(powers_of(coordinates_of(kRational, *bezier_, axis))))
+          .value_of(powers_of(rates_of(kRational, *bezier_, axis)))
           .nearest();
     };
     return {-rate(1, form_.y), rate(0, form_.x)};

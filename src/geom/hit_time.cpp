@@ -50,7 +50,7 @@ struct HitTime::OnBezier {
 HitTime HitTime::on_curve(const Ray& ray, const Bezier& curve, const BezierRoot& root) {
   const auto at = [&](const auto& number, const auto& s) {
     const auto d = pair_of(number, ray.direction);
-    return bernstein_value(ahead_of_ray(number, curve, ray), s) / dot(d, d);
+    return form_at(number, curve, ahead_of_ray(number, curve, ray), s) / dot(d, d);
   };
   Quick quick = 0;
   with_fused([&] { quick = at(kQuick, Quick(root.s.value(), root.s.error())); });
@@ -78,10 +78,12 @@ std::strong_ordering HitTime::compare(double other) const {
   if (std::isinf(other)) return 0 <=> (other > 0 ? 1 : -1);
   if (bezier_) {
     if (const auto sign = (bezier_->time - Bounded(other)).sign()) return order(*sign);
-    const auto d = pair_of(kRational, ray_.direction);
-    Polynomial ahead = powers_of(ahead_of_ray(kRational, bezier_->curve, ray_));
-    ahead[0] -= other * dot(d, d);
-    return order(exact_parameter(bezier_->curve, ray_, bezier_->root).sign_of(ahead));
+    const auto d = pair_of(kRational, ray_.direction), o = pair_of(kRational, ray_.origin);
+    const Rational square = dot(d, d);
+    const auto later = bernstein_of(kRational, bezier_->curve, [&](const Vec2& p) {
+      return dot(d, pair_of(kRational, p) - o) - other * square;
+    });
+    return order(exact_parameter(bezier_->curve, ray_, bezier_->root).sign_of(powers_of(later)));
   }
   if (root_ == 0) {
     const Sign denom = denominator();
@@ -127,10 +129,10 @@ Quadratic HitTime::exact() const {
 RealRoot HitTime::algebraic() const {
   if (bezier_) {
     const auto d = pair_of(kRational, ray_.direction);
-    Polynomial ahead = powers_of(ahead_of_ray(kRational, bezier_->curve, ray_));
+    Bernstein<Rational> ahead = ahead_of_ray(kRational, bezier_->curve, ray_);
     const Rational square = dot(d, d);
     for (Rational& c : ahead) c /= square;
-    return exact_parameter(bezier_->curve, ray_, bezier_->root).value_of(ahead);
+    return exact_form(bezier_->curve, ray_, bezier_->root, ahead);
   }
   const Quadratic time = exact();
   const Rational &middle = time.rational(), square = time.square_of_rest();

@@ -1,6 +1,7 @@
 #include "oracle/bezier.h"
 
 #include <algorithm>
+#include <span>
 
 #include "base/check.h"
 
@@ -55,7 +56,8 @@ std::vector<BezierMeeting> meetings_with_point(const Vec2& point, std::span<cons
 
 }  // namespace
 
-std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const Vec2> points) {
+std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, const Bezier& curve) {
+  const std::span points(curve.points.data(), static_cast<std::size_t>(curve.degree) + 1);
   const Rational dx = ray.direction.x(), dy = ray.direction.y(), square = dx * dx + dy * dy;
   if (square == 0) return meetings_with_point(ray.origin, points);
   const Polynomial beside = along(-dy, dx, ray.origin, points);
@@ -79,8 +81,8 @@ std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const 
   return found;
 }
 
-std::optional<WallHitOf<Algebraic>> first_wall_hit(const Ray& ray, std::span<const Vec2> points) {
-  const std::vector<BezierMeeting> all = meetings_with_bezier(ray, points);
+std::optional<WallHitOf<Algebraic>> first_wall_hit(const Ray& ray, const Bezier& curve) {
+  const std::vector<BezierMeeting> all = meetings_with_bezier(ray, curve);
   if (all.empty()) return std::nullopt;
   WallHitOf<Algebraic> first{all[0].t, HitClass::touch, all[0].root, false};
   for (const BezierMeeting& met : all) {

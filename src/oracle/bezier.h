@@ -1,6 +1,5 @@
 #pragma once
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "oracle/algebraic.h"
@@ -23,14 +22,14 @@ struct BezierMeeting {
 /// All of them at t >= 0, in the order of t, and at one t in that of s. A ray without direction asks
 /// where on the curve its origin lies: t and the multiplicity are 0 there.
 ///
-/// Needs   two control points or more, not all of them on the line of the ray.
+/// Needs   control points that are not all on the line of the ray.
 /// Source  the curve by powers of s, from differences of its control points; roots of what lies beside
 ///         the ray as a polynomial in s, and t as what lies ahead at them. In rationals.
 /// Cost    some 100 us.
-std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const Vec2> points);
+std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, const Bezier& curve);
 
 /// The first of them, where the curve is met at several s at once all together: at an end, as in a
 /// cusp or at an end of the curve, and a touch if none of them crosses the ray; in the last root that does.
-std::optional<WallHitOf<Algebraic>> first_wall_hit(const Ray& ray, std::span<const Vec2> points);
+std::optional<WallHitOf<Algebraic>> first_wall_hit(const Ray& ray, const Bezier& curve);
 
 }  // namespace flatray::oracle

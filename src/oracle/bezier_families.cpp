@@ -102,7 +102,7 @@ AimedScene curves(const Make& make) {
   for (int i = 0; i < kCurves; ++i) {
     Target target = make();
     for (int k = 0; k <= 4; ++k) target.places.push_back(on_curve(target.points, k / 4.0));
-    scene.beziers.push_back(std::move(target.points));
+    scene.beziers.push_back(Bezier(target.points));
     scene.places.push_back(std::move(target.places));
   }
   return scene;

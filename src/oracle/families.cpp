@@ -19,7 +19,7 @@ Surfaces AimedScene::surfaces() const {
   if (curves_first) add_curves();
   for (const Segment& wall : walls) all.add(wall);
   if (!curves_first) add_curves();
-  for (const std::vector<Vec2>& p : beziers) all.add(Bezier(p));
+  for (const Bezier& curve : beziers) all.add(curve);
   return all;
 }
 
@@ -48,8 +48,7 @@ static void move_arc(Arc& arc, const Move& move) {
 static void move_all(AimedScene& scene, const Move& move) {
   for (Segment& wall : scene.walls) wall = {move.place(wall.a), move.place(wall.b)};
   for (Arc& arc : scene.curves) move_arc(arc, move);
-  for (std::vector<Vec2>& points : scene.beziers)
-    for (Vec2& p : points) p = move.place(p);
+  for (Bezier& curve : scene.beziers) curve = mapped(curve, move.place);
   for (Ray& ray : scene.rays) {
     const Vec2 tip = move.place(ray.origin + ray.direction), origin = move.place(ray.origin);
     ray = {origin, tip - origin};

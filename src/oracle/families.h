@@ -59,7 +59,7 @@ struct AimedScene {
   std::vector<Segment> walls;
   std::vector<Ray> rays{};
   std::vector<Arc> curves{};
-  std::vector<std::vector<Vec2>> beziers{};    ///< control points; numbered last
+  std::vector<Bezier> beziers{};               ///< numbered last
   std::vector<std::vector<OnCurve>> places{};  ///< of Bezier curves, at which rays are aimed
   bool curves_first = false;  ///< numbered before the straight walls, else after them
 

@@ -201,10 +201,8 @@ class Walker {
         const Long middle = (low + high) / 2;
         (sgn(beside(middle)) == from ? low : high) = middle;
       }
-      for (mp_bitcnt_t right = 32; right < bits_; right *= 2) {  // by Newton's rule
-        const std::vector<LongPoint> chord = divided(points_of(wall), high, 2);
-        high -= beside(high) / (wall.degree * cross(way_, chord[1] - chord[0]));
-      }
+      for (mp_bitcnt_t right = 32; right < bits_; right *= 2)  // by Newton's rule
+        high -= beside(high) / cross(way_, rate_at(wall, high));
       if (high > small_ && high < 1 - small_) add(high, false);
     }
     return found;
@@ -224,6 +222,10 @@ class Walker {
   }
   LongPoint point_at(const Bezier& wall, const Long& s) const {
     return divided(points_of(wall), s, 1)[0];
+  }
+  LongPoint rate_at(const Bezier& wall, const Long& s) const {
+    const std::vector<LongPoint> chord = divided(points_of(wall), s, 2);
+    return number(wall.degree) * (chord[1] - chord[0]);
   }
   std::vector<Met> times(const Bezier& wall) const {
     std::vector<Met> times;
@@ -272,8 +274,8 @@ class Walker {
     const auto here =
         std::min_element(all.begin(), all.end(),
                          [](const OnCurve& a, const OnCurve& b) { return abs(a.t) < abs(b.t); });
-    const std::vector<LongPoint> chord = divided(points_of(wall), here->s, 2);
-    return {chord[0].y - chord[1].y, chord[1].x - chord[0].x};
+    const LongPoint rate = rate_at(wall, here->s);
+    return {-rate.y, rate.x};
   }
 
   const Surfaces& walls_;

@@ -7,14 +7,6 @@
 #include "oracle/curves.h"
 
 namespace flatray::oracle {
-
-static std::span<const Vec2> points_of(const Bezier& wall) {
-  return {wall.points.data(), static_cast<std::size_t>(wall.degree) + 1};
-}
-static auto first_wall_hit(const Ray& ray, const Bezier& wall) {
-  return first_wall_hit(ray, points_of(wall));
-}
-
 namespace {
 
 // Of a Bezier curve it takes more than a square root.
@@ -63,7 +55,7 @@ std::optional<double> time_of(const Ray& ray, const Arc& wall, Root root) {
   return met ? std::optional(met->nearest()) : std::nullopt;
 }
 std::optional<double> time_of(const Ray& ray, const Bezier& wall, Root root) {
-  for (const BezierMeeting& met : meetings_with_bezier(ray, points_of(wall)))
+  for (const BezierMeeting& met : meetings_with_bezier(ray, wall))
     if (met.root == root) return met.t.nearest();
   return std::nullopt;
 }

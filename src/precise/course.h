@@ -96,15 +96,15 @@ struct Course {
   std::vector<CourseHit<Number>> meet(const Bezier& wall, bool stood_on) const {
     constexpr int kSteps = 10;
     if (stood_on && !stood_at) return {{Met::open}};
-    Bernstein<Number> beside = bernstein_of(wall, [&](const Vec2& p) { return side_of(p); });
+    Bernstein<Number> beside = bernstein_of(make, wall, [&](const Vec2& p) { return side_of(p); });
     if (stood_on) beside = divided_by(beside, *stood_at);
     const auto plain = [](const Number& x) { return x.nearest().value_or(0.0); };
     const auto roots = bernstein_roots(make, plain, std::move(beside), kSteps);
     if (!roots) return {{Met::open}};
-    const auto ahead = bernstein_of(wall, [&](const Vec2& p) { return place_of(p); });
+    const auto ahead = bernstein_of(make, wall, [&](const Vec2& p) { return place_of(p); });
     std::vector<CourseHit<Number>> met;
     for (const auto& root : *roots) {
-      met.push_back(ahead_at(bernstein_value(ahead, root.s)));
+      met.push_back(ahead_at(form_at(make, wall, ahead, root.s)));
       met.back().parameter = root.s;
       const bool at_end = root.s.sign() == Sign::zero || (root.s - make(1)).sign() == Sign::zero;
       if (met.back().met == Met::between && (at_end || root.multiplicity > 1))

@@ -54,7 +54,7 @@ FilteredCurve filter_roots(const Ray& ray, const Bezier& wall, double least) {
   FilteredCurve first{Verdict::missed, kInfinity, kInfinity, Root::none};
   for (const auto& [s, multiplicity, slope] : *roots) {
     const Root name = names.next(multiplicity, slope);
-    const Near t = bernstein_value(ahead, s) / dot(d, d);
+    const Near t = form_at(kNear, wall, ahead, s) / dot(d, d);
     if (t.high() < 0) continue;
     const bool apart = t.high() < first.low || t.low() > first.high || first.low == kInfinity;
     if (!(t.low() > 0) || !apart) return open;

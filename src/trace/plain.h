@@ -88,7 +88,7 @@ void offer(const Bezier& wall, std::uint32_t number, const Ray& ray,
       const Number middle = (low + high) / 2;
       ((bernstein_value(beside, middle) > 0) == from ? low : high) = middle;
     }
-    const auto t = static_cast<double>(bernstein_value(ahead, high) / dot(d, d));
+    const auto t = static_cast<double>(form_at(number_of, wall, ahead, high) / dot(d, d));
     met.push_back({number, HitClass::through, to ? Root::first : Root::second, false, t});
   }
   if (number == departed.surface && departed.root != Root::none && !met.empty())

@@ -13,10 +13,14 @@ namespace {
 
 using Points = std::vector<Vec2>;
 
-const Points kParabola = {{-1, 1}, {1, -3}, {3, 9}};              // (x, x^2), x from -1 to 3
-const Points kCubic = {{-6, -24}, {-2, 24}, {2, -24}, {6, 24}};   // (3 u, 3 u^3), |u| <= 2
-const Points kLoop = {{-18, 12}, {26, -4}, {-26, -4}, {18, 12}};  // (3 u^3 - 3 u, 3 u^2)
-const Points kCusp = {{-24, 12}, {24, -4}, {-24, -4}, {24, 12}};  // (3 u^3, 3 u^2)
+const Bezier kParabola({-1, 1}, {1, -3}, {3, 9});              // (x, x^2), x from -1 to 3
+const Bezier kCubic({-6, -24}, {-2, 24}, {2, -24}, {6, 24});   // (3 u, 3 u^3), |u| <= 2
+const Bezier kLoop({-18, 12}, {26, -4}, {-26, -4}, {18, 12});  // (3 u^3 - 3 u, 3 u^2)
+const Bezier kCusp({-24, 12}, {24, -4}, {-24, -4}, {24, 12});  // (3 u^3, 3 u^2)
+
+Points points_of(const Bezier& curve) {
+  return {curve.points.begin(), curve.points.begin() + curve.degree + 1};
+}
 
 Algebraic number(const Rational& p, int s = 0, const Rational& q = 0) {
   return Algebraic(Surd{p, s, q});
@@ -137,7 +141,7 @@ TEST(Bezier, WithoutADirectionIsWhatTheOriginLiesOn) {
 }
 
 // Both halves, by de Casteljau. Exact where the control points are whole.
-std::pair<Points, Points> halves(Points points) {
+std::pair<Bezier, Bezier> halves(Points points) {
   Points low, high;
   while (!points.empty()) {
     low.push_back(points.front());
@@ -146,7 +150,7 @@ std::pair<Points, Points> halves(Points points) {
       points[i] = 0.5 * (points[i] + points[i + 1]);
     points.pop_back();
   }
-  return {low, high};
+  return {Bezier(low), Bezier(high)};
 }
 
 // The curve from its other end, and the nearer of its halves, are met at the same time.
@@ -156,13 +160,15 @@ TEST(Bezier, PartsAndTheReverseOfACurveAreMetAsTheCurve) {
     Draw draw(5, 0, item);
     const AimedScene scene = make_scene(bezier_families()[0], draw);
     for (const Ray& ray : scene.rays)
-      for (const Points& points : scene.beziers) {
-        const auto all = meetings_with_bezier(ray, points);
+      for (const Bezier& curve : scene.beziers) {
+        const Points points = points_of(curve);
+        const auto all = meetings_with_bezier(ray, curve);
         const auto [low, high] = halves(points);
-        const auto reversed = meetings_with_bezier(ray, Points(points.rbegin(), points.rend()));
+        const auto reversed =
+            meetings_with_bezier(ray, Bezier(Points(points.rbegin(), points.rend())));
         ASSERT_EQ(all.size(), reversed.size());
         for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].t, reversed[i].t);
-        const auto first = first_wall_hit(ray, points), in_low = first_wall_hit(ray, low),
+        const auto first = first_wall_hit(ray, curve), in_low = first_wall_hit(ray, low),
                    in_high = first_wall_hit(ray, high);
         ASSERT_EQ(first.has_value(), in_low || in_high);
         misses += first ? 0 : 1;
@@ -183,11 +189,10 @@ TEST(Bezier, ScaledCurvesAreMetAtTheSameTimes) {
   const AimedScene scene = make_scene(bezier_families()[0], draw);
   const double far = 0x1p-900;
   for (std::size_t i = 0; i < scene.rays.size(); ++i) {
-    const Points& points = scene.beziers[i % scene.beziers.size()];
+    const Bezier& curve = scene.beziers[i % scene.beziers.size()];
     const Ray &ray = scene.rays[i], scaled{far * ray.origin, far * ray.direction};
-    Points small = points;
-    for (Vec2& p : small) p *= far;
-    const auto one = first_wall_hit(ray, points), other = first_wall_hit(scaled, small);
+    const Bezier small = mapped(curve, [&](const Vec2& p) { return Vec2(far * p); });
+    const auto one = first_wall_hit(ray, curve), other = first_wall_hit(scaled, small);
     ASSERT_EQ(one.has_value(), other.has_value());
     if (!one) continue;
     EXPECT_EQ(one->t, other->t);
@@ -204,8 +209,8 @@ TEST(BezierFamilies, AreTheSameForEveryCompiler) {
     for (std::uint64_t item = 0; item < 4; ++item) {
       Draw draw(1, 0, item);
       const AimedScene scene = make_scene(family, draw);
-      for (const Points& points : scene.beziers)
-        for (const Vec2& p : points) add(p);
+      for (const Bezier& curve : scene.beziers)
+        for (const Vec2& p : points_of(curve)) add(p);
       for (const Ray& ray : scene.rays) add(ray.origin), add(ray.direction);
     }
   EXPECT_EQ(hash.hex(), "49a440cbc4eb9d9f");

@@ -44,8 +44,8 @@ std::vector<BezierRoot> rational_roots(const Bezier& curve, const Ray& ray) {
   FLATRAY_CHECK(std::any_of(beside.begin(), beside.end(),
                             [](const Rational& c) { return c.sign() != Sign::zero; }),
                 "a Bezier curve lies along a ray");
-  const Polynomial along[] = {derivative(powers_of(coordinates_of(kRational, curve, 0))),
-                              derivative(powers_of(coordinates_of(kRational, curve, 1)))};
+  const Polynomial along[] = {powers_of(rates_of(kRational, curve, 0)),
+                              powers_of(rates_of(kRational, curve, 1))};
   std::vector<BezierRoot> found;
   for (const RealRoot& s : RealRoot::all(beside, 0, 1)) {
     BezierRoot root{Root::none, static_cast<int>(found.size()),     0, Sign::zero, enclosure_of(s),
@@ -116,7 +116,7 @@ Level level_of(const Bezier& wall, const Vec2& point) {
   double nearest = kInfinity;
   const Bernstein<Bounded> ahead_of = ahead_of_ray(kBounded, wall, ray);
   for (const BezierRoot& root : roots_of(wall, ray)) {
-    const Bounded way = bernstein_value(ahead_of, root.s);
+    const Bounded way = form_at(kBounded, wall, ahead_of, root.s);
     const Sign ahead = way.sign() ? *way.sign() : time_of(wall, ray, root).sign();
     if (ahead == Sign::zero) {
       const bool again = level.place != PlaceOn::outside;
@@ -176,6 +176,11 @@ RealRoot exact_parameter(const Bezier& curve, const Ray& ray, const BezierRoot& 
                        1)[static_cast<std::size_t>(root.index)];
 }
 
+RealRoot exact_form(const Bezier& curve, const Ray& ray, const BezierRoot& root,
+                    const Bernstein<Rational>& form) {
+  return exact_parameter(curve, ray, root).value_of(powers_of(form));
+}
+
 // It lies in the hull of its control points.
 Bounds bounds_of(const Bezier& wall) {
   Bounds box;
@@ -190,7 +195,7 @@ bool passes_near(const Bezier& wall, const Vec2& point, const Vec2& reach) {
   const Vec2 largest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(point.cwiseAbs());
   const Vec2 half = reach + 0x1p-46 * largest + Vec2::Constant(kUnderflowError);
   const auto from = [&](int axis) {
-    return bernstein_of(wall, [&](const Vec2& p) { return p[axis] - point[axis]; });
+    return bernstein_of(kPlain, wall, [&](const Vec2& p) { return p[axis] - point[axis]; });
   };
   return hull_passes(from(0), from(1), half, kHalvings);
 }

@@ -55,9 +55,10 @@ Bezier mapped(Bezier curve, const Place& place) {
 template <class Number>
 using Bernstein = SmallVector<Number, 4>;
 
-/// The values of a form, a function of points, at the control points.
-template <class Form>
-auto bernstein_of(const Bezier& curve, const Form& form) {
+/// The values of a form, a function of points that is linear but for a constant, at the control points:
+/// its Bernstein coefficients along the curve.
+template <class Make, class Form>
+auto bernstein_of(const Make&, const Bezier& curve, const Form& form) {
   Bernstein<decltype(form(curve.start()))> values;
   for (int k = 0; k <= curve.degree; ++k) values.push_back(form(curve.point(k)));
   return values;
@@ -66,20 +67,20 @@ auto bernstein_of(const Bezier& curve, const Form& form) {
 /// What lies beside a ray, to its left, times the length of its direction; and ahead of its origin.
 template <class Make>
 auto beside_ray(const Make& number, const Bezier& curve, const Ray& ray) {
-  return bernstein_of(curve, [&](const Vec2& p) {
+  return bernstein_of(number, curve, [&](const Vec2& p) {
     return cross(pair_of(number, ray.direction), pair_of(number, p) - pair_of(number, ray.origin));
   });
 }
 template <class Make>
 auto ahead_of_ray(const Make& number, const Bezier& curve, const Ray& ray) {
-  return bernstein_of(curve, [&](const Vec2& p) {
+  return bernstein_of(number, curve, [&](const Vec2& p) {
     return dot(pair_of(number, ray.direction), pair_of(number, p) - pair_of(number, ray.origin));
   });
 }
 /// One coordinate.
 template <class Make>
 auto coordinates_of(const Make& number, const Bezier& curve, int axis) {
-  return bernstein_of(curve, [&](const Vec2& p) { return number(p[axis]); });
+  return bernstein_of(number, curve, [&](const Vec2& p) { return number(p[axis]); });
 }
 
 /// The value at s, by the algorithm of de Casteljau.
@@ -111,16 +112,34 @@ Bernstein<Number> bernstein_derivative(const Bernstein<Number>& c) {
   }
   return slope;
 }
-/// The point at s, and its derivative by s, in the arithmetic of `number`.
+/// The value of a form at the point of s.
+template <class Make, class Number>
+Number form_at(const Make&, const Bezier&, const Bernstein<Number>& form, const Number& s) {
+  return bernstein_value(form, s);
+}
+/// One coordinate of a vector along the curve, towards greater s and of any length but 0.
+template <class Make>
+auto rates_of(const Make& number, const Bezier& curve, int axis) {
+  return bernstein_derivative(coordinates_of(number, curve, axis));
+}
+/// The same in plain doubles, of another length: the legs of the control polygon.
+inline Bernstein<Vec2> legs_of(const Bezier& curve) {
+  Bernstein<Vec2> legs;
+  for (int k = 0; k < curve.degree; ++k) legs.push_back(curve.point(k + 1) - curve.point(k));
+  return legs;
+}
+/// The point at s, and that vector there, in the arithmetic of `number`.
 template <class Make, class Number>
 Pair<Number> point_at(const Make& number, const Bezier& curve, const Number& s) {
-  return {bernstein_value(coordinates_of(number, curve, 0), s),
-          bernstein_value(coordinates_of(number, curve, 1), s)};
+  const auto coordinate = [&](int axis) {
+    return form_at(number, curve, coordinates_of(number, curve, axis), s);
+  };
+  return {coordinate(0), coordinate(1)};
 }
 template <class Make, class Number>
 Pair<Number> rate_at(const Make& number, const Bezier& curve, const Number& s) {
-  return {bernstein_value(bernstein_derivative(coordinates_of(number, curve, 0)), s),
-          bernstein_value(bernstein_derivative(coordinates_of(number, curve, 1)), s)};
+  return {bernstein_value(rates_of(number, curve, 0), s),
+          bernstein_value(rates_of(number, curve, 1), s)};
 }
 /// Where between `low` and `high` a function of doubles changes its sign, about: by false positions, of
 /// which an end that stays twice counts half (Dowell and Jarratt 1971), every fourth time by halves.
@@ -167,8 +186,10 @@ struct BezierRoot {
 std::vector<BezierRoot> roots_of(const Bezier& curve, const Ray& ray);
 /// One by its name, which the ray is known to have.
 BezierRoot root_of(const Bezier& curve, const Ray& ray, Root root);
-/// s without error.
+/// s without error, and the value of a form there.
 RealRoot exact_parameter(const Bezier& curve, const Ray& ray, const BezierRoot& root);
+RealRoot exact_form(const Bezier& curve, const Ray& ray, const BezierRoot& root,
+                    const Bernstein<Rational>& form);
 
 /// Each point in which a ray meets a curve, which has no inside, in the order of t, by times that are
 /// rounded once. Exact.
@@ -182,5 +203,10 @@ double parameter_near(const Bezier& curve, const Vec2& point);
 /// The tangent there, of any length, in plain doubles: towards greater s.
 Vec2 tangent_at(const Bezier& curve, double s);
 Vec2 point_at(const Bezier& curve, double s);
+/// How fast the point moves with s, how much it turns on its way, and a bound of its acceleration, in plain
+/// doubles.
+double speed_at(const Bezier& curve, double s);
+double curvature_at(const Bezier& curve, double s);
+double most_acceleration(const Bezier& curve);
 
 }  // namespace flatray

@@ -1,5 +1,6 @@
 // Places of Bezier curves in plain doubles.
 
+#include "geom/cubic.h"
 #include "geom/decide.h"
 #include "geom/primitives/bezier.h"
 #include "geom/primitives/wall.h"
@@ -63,6 +64,25 @@ Vec2 tangent_at(const Bezier& curve, double s) {
   return {rate.x, rate.y};
 }
 
+double speed_at(const Bezier& curve, double s) { return size_of(tangent_at(curve, s)); }
+
+double curvature_at(const Bezier& curve, double s) {
+  const auto bend = [&](int axis) {
+    return bernstein_value(bernstein_derivative(rates_of(kPlain, curve, axis)), s);
+  };
+  const Vec2 rate = tangent_at(curve, s);
+  const double speed = size_of(rate);
+  return std::fabs(cross(rate, Vec2(bend(0), bend(1)))) / (speed * speed * speed);
+}
+
+double most_acceleration(const Bezier& curve) {
+  const auto legs = legs_of(curve);
+  double most = 0;
+  for (std::size_t k = 1; k < legs.size(); ++k)
+    most = std::max(most, (legs[k] - legs[k - 1]).stableNorm());
+  return curve.degree * (curve.degree - 1) * most;
+}
+
 // An end, or where the way from the point stands upright on the curve: where w(s) . w'(s) = 0, w the
 // curve as seen from it, whose coefficients are sums of those of both.
 double parameter_near(const Bezier& curve, const Vec2& point) {
@@ -71,14 +91,15 @@ double parameter_near(const Bezier& curve, const Vec2& point) {
   const Bounds box = bounds_of(curve);
   const double size =
       box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(point.cwiseAbs()).maxCoeff();
-  const auto n = static_cast<std::size_t>(curve.degree);
-  std::array<Vec2, 4> from;
-  for (std::size_t k = 0; k <= n; ++k) from[k] = curve.points[k] / size - point / size;
-  Plain upright{{}, 2 * n - 1};
+  const Bezier seen = mapped(curve, [&](const Vec2& p) { return Vec2(p / size - point / size); });
+  const auto from = bernstein_of(kPlain, seen, [](const Vec2& p) { return p; });
+  const auto legs = legs_of(seen);
+  const std::size_t n = from.size() - 1, m = legs.size() - 1;
+  Plain upright{{}, n + m};
   for (std::size_t i = 0; i <= n; ++i)
-    for (std::size_t k = 0; k < n; ++k)
-      upright.c[i + k] += kChoices[n][i] * kChoices[n - 1][k] / kChoices[2 * n - 1][i + k] *
-                          from[i].dot(from[k + 1] - from[k]);
+    for (std::size_t k = 0; k <= m; ++k)
+      upright.c[i + k] +=
+          kChoices[n][i] * kChoices[m][k] / kChoices[n + m][i + k] * from[i].dot(legs[k]);
   double best = 0, least = kInfinity;
   const auto look = [&](double s) {
     const double distance = (point_at(curve, s) - point).stableNorm();
@@ -95,9 +116,9 @@ Segment stretch_of(const Bezier& curve) {
   const Bounds box = bounds_of(curve);
   const Vec2 extent = box.high - box.low;
   const int axis = extent.x() < extent.y() ? 1 : 0;
-  Plain rate{{}, static_cast<std::size_t>(curve.degree - 1)};
-  for (int k = 0; k < curve.degree; ++k)
-    rate.c[static_cast<std::size_t>(k)] = curve.point(k + 1)[axis] - curve.point(k)[axis];
+  const auto legs = legs_of(curve);
+  Plain rate{{}, legs.size() - 1};
+  for (std::size_t k = 0; k < legs.size(); ++k) rate.c[k] = legs[k][axis];
   Segment stretch{curve.start(), curve.start()};
   const auto look = [&](const Vec2& point) {
     if (point[axis] < stretch.a[axis]) stretch.a = point;

@@ -121,16 +121,10 @@ std::vector<double> bends(const Bezier& curve) {
   return cuts;
 }
 
-// A degree of n and second differences of the control points up to D bend no further from k chords
-// than n (n - 1) D / (8 k^2).
+// An acceleration up to A bends no further from k chords than A / (8 k^2).
 void add_curve(const Bezier& curve, Chain& chain) {
   constexpr double kMostChords = 4096;
-  double bend = 0;
-  for (int k = 0; k + 2 <= curve.degree; ++k)
-    bend =
-        std::max(bend, (curve.point(k) - 2 * curve.point(k + 1) + curve.point(k + 2)).stableNorm());
-  const double wanted =
-      std::sqrt(curve.degree * (curve.degree - 1) * bend / (8 * kCurveSagitta_px));
+  const double wanted = std::sqrt(most_acceleration(curve) / (8 * kCurveSagitta_px));
   const std::vector<double> cuts = bends(curve);
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const auto at = [&](double part) {

@@ -184,18 +184,11 @@ class BezierWay {
     return normal / length(normal);
   }
   double curvature_at(const Vec2& point) const {
-    const double s = parameter(point);
-    const auto bend = [&](int axis) {
-      const auto rates = bernstein_derivative(coordinates_of(kPlain, wall_, axis));
-      return bernstein_value(bernstein_derivative(rates), s);
-    };
-    const Vec2 rate = tangent_at(wall_, s);
-    const double speed = length(rate);
-    return std::fabs(cross(rate, Vec2(bend(0), bend(1)))) / (speed * speed * speed);
+    return flatray::curvature_at(wall_, parameter(point));
   }
   double parameter(const Vec2& point) const { return parameter_near(wall_, point); }
   bool is_even() const { return false; }
-  double speed(double s) const { return length(tangent_at(wall_, s)); }
+  double speed(double s) const { return speed_at(wall_, s); }
   double length_to(double) const { return 0; }  // of even ways alone, as the next
   double parameter_at(double) const { return 0; }
   std::vector<Vec2> outline() const { return evenly_along(*this, 64); }

@@ -86,14 +86,15 @@ OffsetOrigins::Wall OffsetOrigins::wall(const Bezier& curve) const {
   if (!(made.length > apart_)) return made;
   made.normal = chord / made.length;
   double ahead = kInfinity, longest = 0, bend = 0;
-  for (int k = 0; k < curve.degree; ++k) {
-    const Vec2 leg = curve.point(k + 1) - curve.point(k);
-    ahead = std::min(ahead, made.normal.dot(leg)), longest = std::max(longest, length(leg));
-    if (k > 0) bend = std::max(bend, length(leg - (curve.point(k) - curve.point(k - 1))));
+  const Bernstein<Vec2> legs = legs_of(curve);
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    ahead = std::min(ahead, made.normal.dot(legs[k])), longest = std::max(longest, length(legs[k]));
+    if (k > 0) bend = std::max(bend, length(legs[k] - legs[k - 1]));
   }
   const double n = curve.degree, speed = n * ahead;
+  const double turning = n * static_cast<double>(legs.size() - 1) * bend;
   made.ready = ahead > kLeastAhead * longest &&
-               speed * speed > kLeastBend * (distance_ / kDistance) * (n * (n - 1) * bend);
+               speed * speed > kLeastBend * (distance_ / kDistance) * turning;
   return made;
 }
 
@@ -202,7 +203,7 @@ void OffsetOrigins::add_near(const Wall& wall, const Bezier& other, const Wall&,
   constexpr int kHalvings = 12;
   const double far = 3 * apart_;
   const auto by = [&](const Vec2& axis) {
-    return bernstein_of(other, [&](const Vec2& p) { return axis.dot(p - wall.at); });
+    return bernstein_of(kPlain, other, [&](const Vec2& p) { return axis.dot(p - wall.at); });
   };
   const auto add = [&](const auto& self, const Bernstein<double>& off,
                        const Bernstein<double>& place, int halvings) -> void {
@@ -299,8 +300,8 @@ bool OffsetOrigins::is_clear(const Arc& arc, const Wall& wall, WallPoint& met) c
 // As does this: upright on the curve where that is as far along the chord.
 bool OffsetOrigins::is_clear(const Bezier& curve, const Wall& wall, WallPoint& met) const {
   const double place = wall.normal.dot(met.point - wall.at);
-  const auto beyond =
-      bernstein_of(curve, [&](const Vec2& p) { return wall.normal.dot(p - wall.at) - place; });
+  const auto beyond = bernstein_of(
+      kPlain, curve, [&](const Vec2& p) { return wall.normal.dot(p - wall.at) - place; });
   if (!(beyond.front() < 0 && beyond.back() > 0)) return false;
   const Vec2 tangent =
       tangent_at(curve, sign_change([&](double s) { return bernstein_value(beyond, s); }, 0, 1));
