@@ -137,6 +137,30 @@ Polynomial polynomial_of_values(const Polynomial& p, const Polynomial& q) {
   return found;
 }
 
+Polynomial product(const Polynomial& p, const Polynomial& q) {
+  Polynomial all(p.size() + q.size(), 0);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t k = 0; k < q.size(); ++k) all[i + k] += p[i] * q[k];
+  trim(all);
+  return all;
+}
+
+// By Euclid's algorithm: the polynomial that times q leaves 1 by p. Needs   no root that both have.
+Polynomial inverse(Polynomial q, const Polynomial& p) {
+  Polynomial last = p, of_last, of_q{1};
+  for (q = divide(q, p).rest; q.size() > 1;) {
+    Division next = divide(last, q);
+    Polynomial of_next = product(next.quotient, of_q);
+    of_next.resize(std::max(of_next.size(), of_last.size()), 0);
+    for (Rational& c : of_next) c = -c;
+    for (std::size_t k = 0; k < of_last.size(); ++k) of_next[k] += of_last[k];
+    last = std::exchange(q, std::move(next.rest));
+    of_last = std::exchange(of_q, std::move(of_next));
+  }
+  for (Rational& c : of_q) c /= q[0];
+  return of_q;
+}
+
 }  // namespace
 
 Polynomial derivative(const Polynomial& p) {
@@ -212,12 +236,18 @@ Sign RealRoot::sign_of(const Polynomial& q) const {
   }
 }
 
-RealRoot RealRoot::value_of(const Polynomial& q) const {
-  if (low_ == high_) return RealRoot(value_at(q, low_));
+RealRoot RealRoot::value_of(const Polynomial& q, Polynomial over) const {
+  trim(over);
+  const auto by_value = [&] { return RealRoot(value_at(q, low_) / value_at(over, low_)); };
+  if (low_ == high_) return by_value();
+  if (over.size() > 1 || over[0] != Rational(1)) {
+    const Polynomial p = divide(p_, common_divisor(p_, over)).quotient;
+    return RealRoot(p, low_, high_).value_of(divide(product(q, inverse(over, p)), p).rest);
+  }
   const Polynomial values = without_double_roots(polynomial_of_values(p_, q));
   const Chain chain(values);
   for (;; halve()) {
-    if (low_ == high_) return RealRoot(value_at(q, low_));
+    if (low_ == high_) return by_value();
     const auto [low, high] = range_of(q, {low_, high_});
     const int at_low = value_at(values, low).sign() == Sign::zero ? 1 : 0;
     if (chain.roots_between(low, high) + at_low != 1) continue;

@@ -29,8 +29,9 @@ class RealRoot {
 
   /// Sign of a polynomial at this number.
   Sign sign_of(const Polynomial& q) const;
-  /// The value of a polynomial at this number. Needs degrees up to 3.
-  RealRoot value_of(const Polynomial& q) const;
+  /// The value of a polynomial at this number, divided by that of another, which is not 0. Needs degrees up
+  /// to 3.
+  RealRoot value_of(const Polynomial& q, Polynomial over = {1}) const;
   Sign sign() const { return sign_of({0, 1}); }
   /// Nearest double, halves to even; beyond the doubles +-infinity. Never -0.
   double nearest() const;

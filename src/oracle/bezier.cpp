@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "base/check.h"
 
@@ -54,9 +55,63 @@ std::vector<BezierMeeting> meetings_with_point(const Vec2& point, std::span<cons
   return found;
 }
 
+// What is linear along a ray: at its origin, and with t.
+struct Linear {
+  Rational start, rate;
+  Sign sign_at(const Algebraic& t) const { return t.sign_of({start, rate}); }
+};
+
+// A weighted quadratic curve with the control points a, b, c and the weight w of b is where the shares u, v, x
+// of these in a point (which sum to 1) are 0 or more and v^2 = 4 w^2 u x. That difference is negative towards the chord.
+std::vector<BezierMeeting> meetings_with_conic(const Ray& ray, const Bezier& curve) {
+  const Rational dx = ray.direction.x(), dy = ray.direction.y();
+  const auto seen = [&](const Vec2& p) {
+    return std::pair(Rational(p.x()) - ray.origin.x(), Rational(p.y()) - ray.origin.y());
+  };
+  const auto a = seen(curve.point(0)), b = seen(curve.point(1)), c = seen(curve.point(2));
+  const auto area = [&](const auto& p, const auto& q) {
+    return Linear{p.first * q.second - p.second * q.first,
+                  dy * (q.first - p.first) - dx * (q.second - p.second)};
+  };
+  const Linear u = area(b, c), v = area(c, a), x = area(a, b);
+  const bool turns_left = u.start + v.start + x.start > 0;
+  const Rational four = Rational(4) * curve.weight * curve.weight;
+  const Rational constant = v.start * v.start - four * u.start * x.start;
+  const Rational linear = v.start * v.rate * 2 - four * (u.start * x.rate + u.rate * x.start);
+  const Rational square = v.rate * v.rate - four * u.rate * x.rate;
+  std::vector<BezierMeeting> found;
+  const auto add = [&](const Surd& time, int multiplicity, bool falls) {
+    const Algebraic t(time);
+    const Sign way = turns_left ? Sign::positive : Sign::negative;
+    const Sign first = u.sign_at(t) * way, middle = v.sign_at(t) * way, last = x.sign_at(t) * way;
+    const bool is_on =
+        first != Sign::negative && middle != Sign::negative && last != Sign::negative;
+    if (!is_on || t.sign() == Sign::negative) return;
+    const Rational s = last == Sign::zero ? 0 : first == Sign::zero ? 1 : 0.5;
+    const Root root = multiplicity == 0     ? Root::none
+                      : multiplicity == 2   ? Root::both
+                      : falls == turns_left ? Root::second
+                                            : Root::first;
+    found.push_back({t, Algebraic(Surd{s, 0, 0}), multiplicity, root, false});
+  };
+  if (square == 0 && linear == 0) {
+    if (constant == 0) add({0, 0, 0}, 0, false);
+  } else if (square == 0) {
+    add({-constant / linear, 0, 0}, 1, linear < 0);
+  } else {
+    const Rational middle = -linear / (square * 2), rest = middle * middle - constant / square;
+    if (rest == 0) add({middle, 0, 0}, 2, false);
+    if (!(rest > 0)) return found;
+    add({middle, -1, rest}, 1, square > 0);
+    add({middle, 1, rest}, 1, square < 0);
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, const Bezier& curve) {
+  if (curve.is_weighted()) return meetings_with_conic(ray, curve);
   const std::span points(curve.points.data(), static_cast<std::size_t>(curve.degree) + 1);
   const Rational dx = ray.direction.x(), dy = ray.direction.y(), square = dx * dx + dy * dy;
   if (square == 0) return meetings_with_point(ray.origin, points);

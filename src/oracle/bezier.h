@@ -7,7 +7,8 @@
 
 namespace flatray::oracle {
 
-/// A point that a ray and a Bezier curve share, at parameter s of the curve.
+/// A point that a ray and a Bezier curve share, at parameter s of the curve; of a weighted one s is told at
+/// its ends alone, and is 1/2 between them.
 struct BezierMeeting {
   Algebraic t, s;
   int multiplicity;  ///< of the root: 1 where the ray crosses, 2 on a tangent, 3 on one that crosses
@@ -24,7 +25,8 @@ struct BezierMeeting {
 ///
 /// Needs   control points that are not all on the line of the ray.
 /// Source  the curve by powers of s, from differences of its control points; roots of what lies beside
-///         the ray as a polynomial in s, and t as what lies ahead at them. In rationals.
+///         the ray as a polynomial in s, and t as what lies ahead at them. Of a weighted curve its equation
+///         along the ray, of degree 2 in t. In rationals.
 /// Cost    some 100 us.
 std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, const Bezier& curve);
 

@@ -22,6 +22,7 @@ bool lie_on_one_line(const Points& points) {
 struct Target {
   Points points;
   std::vector<OnCurve> places;
+  double weight = 1;
 };
 
 // For u from -2 to 2, and where it crosses itself, stands still or bends the other way.
@@ -81,6 +82,35 @@ Target random_curve(Draw& draw) {
   return target;
 }
 
+// Conics that have a whole point halfway, where they run along their chords: of points in units of 2 + 2 w.
+Target whole_conic(Draw& draw) {
+  static constexpr std::array kWeights = {0.5, 1.5, 2.0, 3.0};
+  Target target;
+  target.weight = draw.any(kWeights);
+  const double unit = 2 + 2 * target.weight;
+  Points p;
+  do {
+    p.clear();
+    while (p.size() < 3) p.push_back(draw.whole_point(-3, 4));
+  } while (lie_on_one_line(p));
+  const Vec2 to = draw.whole_point(0, kWorld);
+  for (const Vec2& each : p) target.points.push_back(to + unit * each);
+  target.places = {{target.points[0], p[1] - p[0]},
+                   {to + p[0] + 2 * target.weight * p[1] + p[2], p[2] - p[0]},
+                   {target.points[2], p[2] - p[1]}};
+  return target;
+}
+
+Target random_conic(Draw& draw) {
+  Target target;
+  while (target.points.size() < 3) target.points.push_back(kWorld * draw.point());
+  target.weight = draw.power(-6, 6) * (1 + draw.unit());
+  const Points& p = target.points;
+  const Vec2 middle = (p[0] + 2 * target.weight * p[1] + p[2]) / (2 + 2 * target.weight);
+  target.places = {{p[0], p[1] - p[0]}, {middle, p[2] - p[0]}, {p[2], p[2] - p[1]}};
+  return target;
+}
+
 // Rays through a place on a curve: along the tangent, at it from anywhere, from it to anywhere, or
 // without direction; each half within an ulp of that.
 Ray ray_at(const AimedScene& scene, Draw& draw) {
@@ -101,8 +131,11 @@ AimedScene curves(const Make& make) {
   AimedScene scene;
   for (int i = 0; i < kCurves; ++i) {
     Target target = make();
-    for (int k = 0; k <= 4; ++k) target.places.push_back(on_curve(target.points, k / 4.0));
-    scene.beziers.push_back(Bezier(target.points));
+    Bezier curve(target.points);
+    curve.weight = target.weight;
+    for (int k = 0; k <= 4 && !curve.is_weighted(); ++k)
+      target.places.push_back(on_curve(target.points, k / 4.0));
+    scene.beziers.push_back(curve);
     scene.places.push_back(std::move(target.places));
   }
   return scene;
@@ -112,6 +145,12 @@ AimedScene whole_curves(Draw& draw) {
 }
 AimedScene random_curves(Draw& draw) {
   return curves([&] { return random_curve(draw); });
+}
+AimedScene whole_conics(Draw& draw) {
+  return curves([&] { return whole_conic(draw); });
+}
+AimedScene random_conics(Draw& draw) {
+  return curves([&] { return random_conic(draw); });
 }
 
 Move far_away(Draw& draw) {
@@ -131,6 +170,12 @@ std::vector<Family> bezier_families() {
       {"bezier-offset", "Bezier curves moved by 2^10 to 2^29", &whole_curves, &ray_at, &far_away},
       {"bezier-sliver", "Bezier curves flattened by up to 2^-299", &whole_curves, &ray_at, &thin},
       {"bezier-random", "Bezier curves of random doubles", &random_curves, &ray_at},
+      {"conics", "parts of ellipses and hyperbolas, and tangents that doubles hold", &whole_conics,
+       &ray_at},
+      {"conic-scaled", "the same in units of 2^-900 to 2^899", &whole_conics, &ray_at, &scaled},
+      {"conic-sliver", "the same flattened by up to 2^-299", &whole_conics, &ray_at, &thin},
+      {"conic-random", "parts of ellipses and hyperbolas of random doubles", &random_conics,
+       &ray_at},
   };
 }
 

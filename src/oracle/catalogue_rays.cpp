@@ -146,6 +146,17 @@ Rays double_roots() {
          of_curve(cubic, {{-3, -3.75 - 0x1p-51}, {1, 1}}, {});
 }
 
+// x y = 25 for x from 2.5 to 10: its tangent at (5, 5), and lines along its asymptotes.
+Rays hyperbola() {
+  const Bezier curve({2.5, 10}, {4, 4}, {10, 2.5}, 1.25);
+  return of_curve(curve, {{0, 0}, {1, 1}}, 5) + of_curve(curve, {{0, 10}, {1, -1}}, 5) +
+         of_curve(curve, {{0, 10 - 0x1p-49}, {1, -1}}, {}) +
+         of_curve(curve, {{0, 10 + 5 * 0x1p-48}, {1, -1}}, 5 - 5 * 0x1p-24 + 5 * 0x1p-49) +
+         of_curve(curve, {{0, 4}, {1, 0}}, 6.25) + of_curve(curve, {{0, 2.5}, {1, 0}}, 10) +
+         of_curve(curve, {{0, 2.5 - 0x1p-51}, {1, 0}}, {}) +
+         of_curve(curve, {{4, 12}, {0, -1}}, 5.75) + of_curve(curve, {{-9, -9}, {0x1p-50, 1}}, {});
+}
+
 // y = x^3 / 27, by lines of slopes 0 and +-3 * 2^-60.
 Rays inflection() {
   const Bezier curve({-3, -1}, {-1, 1}, {1, -1}, {3, 1});
@@ -251,6 +262,8 @@ std::vector<StiffCase> of_curves() {
       {"F3", "along an inflection", "trace.StiffWalls.F3AlongAnInflection", inflection()},
       {"F4", "curves that share an end", "trace.StiffWalls.F4CurvesThatShareAnEnd", shared_end()},
       of("F5", "focus of a parabola", "precise.CertifiedOrbit.F5FocusOfAParabola", focus()),
+      {"F6", "tangent and asymptotes of a hyperbola", "trace.StiffWalls.F6HyperbolaByItsAsymptotes",
+       hyperbola()},
   };
 }
 

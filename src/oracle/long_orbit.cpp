@@ -221,9 +221,24 @@ class Walker {
     return points;
   }
   LongPoint point_at(const Bezier& wall, const Long& s) const {
-    return divided(points_of(wall), s, 1)[0];
+    if (!wall.is_weighted()) return divided(points_of(wall), s, 1)[0];
+    const std::vector<LongPoint> p = points_of(wall);
+    const Long r = 1 - s, first = r * r, middle = 2 * r * s * number(wall.weight), last = s * s;
+    const Long whole = first + middle + last;
+    return {(first * p[0].x + middle * p[1].x + last * p[2].x) / whole,
+            (first * p[0].y + middle * p[1].y + last * p[2].y) / whole};
   }
+  // Of a weighted curve by the quotient's rule, with n = point whole: whole point' = n' - whole' point.
   LongPoint rate_at(const Bezier& wall, const Long& s) const {
+    if (wall.is_weighted()) {
+      const std::vector<LongPoint> p = points_of(wall);
+      const Long w = number(wall.weight), r = 1 - s;
+      const Long first = -2 * r, middle = 2 * w * (r - s), last = 2 * s;
+      const Long whole = r * r + 2 * r * s * w + s * s, rise = first + middle + last;
+      const LongPoint at = point_at(wall, s);
+      return {(first * p[0].x + middle * p[1].x + last * p[2].x - rise * at.x) / whole,
+              (first * p[0].y + middle * p[1].y + last * p[2].y - rise * at.y) / whole};
+    }
     const std::vector<LongPoint> chord = divided(points_of(wall), s, 2);
     return number(wall.degree) * (chord[1] - chord[0]);
   }

@@ -61,6 +61,14 @@ TEST(LongOrbit, AgreesWithCertifiedOrbitsBetweenBezierCurves) {
   for (int i = 0; i < 3; ++i) expect_agreement(walls, {{1, 0.125}, {1, 0.3 + 0.1 * i}}, 40);
 }
 
+TEST(LongOrbit, AgreesWithCertifiedOrbitsBetweenConics) {
+  Surfaces walls;
+  walls.add(Bezier({-2, 0}, {0, -2}, {2, 0}, 0.5));
+  walls.add(Bezier({2, 0}, {0, 2}, {-2, 0}, 3));
+  walls.add(Bezier({-0.5, -0.25}, {0, 0.5}, {0.5, -0.25}, 1.7));
+  for (int i = 0; i < 3; ++i) expect_agreement(walls, {{1, 0.125}, {1, 0.3 + 0.1 * i}}, 40);
+}
+
 TEST(LongOrbit, MeetsTheLowestOfWallsOnEachOther) {
   Surfaces walls;
   for (int i = 0; i < 3; ++i) walls.add(Circle{{0.3, 0.1}, 0.7});

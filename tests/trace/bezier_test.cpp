@@ -12,7 +12,8 @@ namespace flatray {
 namespace {
 
 bool has_beziers(const oracle::Family& family) {
-  return std::string(family.name).find("bezier") != std::string::npos;
+  const std::string name = family.name;
+  return name.find("bezier") != std::string::npos || name.starts_with("conic");
 }
 
 void expect_truth(const Surfaces& walls, const std::vector<Ray>& rays) {

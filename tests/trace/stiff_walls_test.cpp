@@ -251,7 +251,8 @@ void expect_curve(const Bezier& curve, const Ray& ray, const Times& times) {
   std::vector<Vec2> back(curve.points.begin(), curve.points.begin() + curve.degree + 1);
   std::reverse(back.begin(), back.end());
   Surfaces reversed;
-  reversed.add(Bezier(back));
+  reversed.add(curve.is_weighted() ? Bezier(back[0], back[1], back[2], curve.weight)
+                                   : Bezier(back));
   expect_times(reversed, ray, times);
 }
 
@@ -292,6 +293,23 @@ TEST(StiffWalls, F3AlongAnInflection) {
   const double slope = 3 * 0x1p-60, apart = 9 * 0x1p-30;
   expect_curve(curve, {{-6, -6 * slope}, {1, slope}}, {6 - apart, 6, 6 + apart});
   expect_curve(curve, {{-6, 6 * slope}, {1, -slope}}, {6});
+}
+
+// x y = 25: a line along an asymptote meets it once, at its height, and the tangent at (5, 5) touches.
+TEST(StiffWalls, F6HyperbolaByItsAsymptotes) {
+  const Bezier curve({2.5, 10}, {4, 4}, {10, 2.5}, 1.25);
+  expect_curve(curve, {{0, 0}, {1, 1}}, {5});
+  expect_curve(curve, {{0, 0}, {1, 2}}, {std::sqrt(12.5)});
+  expect_curve(curve, {{0, 10}, {1, -1}}, {5});
+  expect_curve(curve, {{0, std::nextafter(10, 0)}, {1, -1}}, {});
+  const double apart = 5 * 0x1p-24, later = 5 * 0x1p-49;
+  expect_curve(curve, {{0, 10 + 5 * 0x1p-48}, {1, -1}}, {5 - apart + later, 5 + apart + later});
+  expect_curve(curve, {{0, 4}, {1, 0}}, {6.25});
+  expect_curve(curve, {{4, 12}, {0, -1}}, {5.75});
+  expect_curve(curve, {{0, 2.5}, {1, 0}}, {10});
+  expect_curve(curve, {{0, std::nextafter(2.5, 0)}, {1, 0}}, {});
+  for (const double slope : {5e-324, -5e-324, 0x1p-50})
+    expect_curve(curve, {{-1, 0}, {1, slope}}, {});
 }
 
 TEST(StiffWalls, F4CurvesThatShareAnEnd) {

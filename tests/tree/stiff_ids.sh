@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1/tests"
 
-ids=(A{1..16} B{1..13} C{1..32} D{1..9} E{1..11} F{1..5})
+ids=(A{1..16} B{1..13} C{1..32} D{1..9} E{1..11} F{1..6})
 names=$(
   find . -name '*_test.cpp' -exec cat {} + | tr '\n' ' ' |
     grep -oE 'TEST(_[PF])?\([A-Za-z0-9_]+,[[:space:]]*[A-Za-z0-9_]+' | sed -E 's/.*,[[:space:]]*//'

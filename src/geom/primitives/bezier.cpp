@@ -178,7 +178,8 @@ RealRoot exact_parameter(const Bezier& curve, const Ray& ray, const BezierRoot& 
 
 RealRoot exact_form(const Bezier& curve, const Ray& ray, const BezierRoot& root,
                     const Bernstein<Rational>& form) {
-  return exact_parameter(curve, ray, root).value_of(powers_of(form));
+  return exact_parameter(curve, ray, root)
+      .value_of(powers_of(form), powers_of(weights_of(kRational, curve)));
 }
 
 // It lies in the hull of its control points.
@@ -193,7 +194,8 @@ bool passes_near(const Bezier& wall, const Vec2& point, const Vec2& reach) {
   constexpr int kHalvings = 6;
   const Bounds box = bounds_of(wall);
   const Vec2 largest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(point.cwiseAbs());
-  const Vec2 half = reach + 0x1p-46 * largest + Vec2::Constant(kUnderflowError);
+  const Vec2 half =
+      std::max(wall.weight, 1.0) * (reach + 0x1p-46 * largest + Vec2::Constant(kUnderflowError));
   const auto from = [&](int axis) {
     return bernstein_of(kPlain, wall, [&](const Vec2& p) { return p[axis] - point[axis]; });
   };
@@ -295,7 +297,7 @@ Vec2 normal_near(const Bezier& wall, const Vec2& point) {
 }
 
 bool lies_along(const Bezier& one, const Bezier& other) {
-  if (one.degree != other.degree) return false;
+  if (one.degree != other.degree || one.weight != other.weight) return false;
   const std::span points(one.points.data(), static_cast<std::size_t>(one.degree) + 1);
   return std::equal(points.begin(), points.end(), other.points.begin()) ||
          std::equal(points.rbegin(), points.rend(), other.points.begin());

@@ -17,15 +17,21 @@
 
 namespace flatray {
 
-/// A wall along a Bezier curve: a quadratic, which is an arc of a parabola, or a cubic.
+/// A wall along a Bezier curve: a cubic, or a quadratic whose middle point has a weight, which is an arc of a
+/// conic: of an ellipse below 1, of a parabola at 1, of a hyperbola above.
 ///
-/// Needs   control points that are not all on one line. The curve is the one of these doubles, by
-///         its parameter s from 0 at the first point to 1 at the last.
+/// Needs   control points that are not all on one line, a weight in its range. The curve is the one of these
+///         doubles, by its parameter s from 0 at the first point to 1 at the last.
 struct Bezier {
   std::array<Vec2, 4> points;
-  int degree;  ///< 2 or 3; of 2 the last point plays no part
+  int degree;         ///< 2 or 3; of 2 the last point plays no part
+  double weight = 1;  ///< of the middle point; of 3 it is 1
 
-  Bezier(const Vec2& a, const Vec2& b, const Vec2& c) : points{a, b, c, Vec2(0, 0)}, degree(2) {}
+  /// Least and greatest weight, so that what doubles hold of the curve stays in their range.
+  static constexpr double kLeastWeight = 0x1p-300, kMostWeight = 0x1p300;
+
+  Bezier(const Vec2& a, const Vec2& b, const Vec2& c, double of_middle = 1)
+      : points{a, b, c, Vec2(0, 0)}, degree(2), weight(of_middle) {}
   Bezier(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
       : points{a, b, c, d}, degree(3) {}
   /// Of 3 or 4 control points.
@@ -35,6 +41,8 @@ struct Bezier {
   const Vec2& point(int k) const { return points[static_cast<std::size_t>(k)]; }
   const Vec2& start() const { return points[0]; }
   const Vec2& end() const { return point(degree); }
+  bool is_weighted() const { return weight != 1; }
+  static constexpr bool is_in_range(double w) { return w >= kLeastWeight && w <= kMostWeight; }
 };
 
 /// Whether all control points lie on one line, as those of a wall must not. Exact.
@@ -55,12 +63,13 @@ Bezier mapped(Bezier curve, const Place& place) {
 template <class Number>
 using Bernstein = SmallVector<Number, 4>;
 
-/// The values of a form, a function of points that is linear but for a constant, at the control points:
-/// its Bernstein coefficients along the curve.
+/// The values of a form, a function of points that is linear but for a constant, at the control points, times
+/// their weights: its Bernstein coefficients along the curve, times those of the weights.
 template <class Make, class Form>
-auto bernstein_of(const Make&, const Bezier& curve, const Form& form) {
+auto bernstein_of(const Make& number, const Bezier& curve, const Form& form) {
   Bernstein<decltype(form(curve.start()))> values;
   for (int k = 0; k <= curve.degree; ++k) values.push_back(form(curve.point(k)));
+  if (curve.is_weighted()) values[1] = number(curve.weight) * values[1];
   return values;
 }
 
@@ -112,18 +121,37 @@ Bernstein<Number> bernstein_derivative(const Bernstein<Number>& c) {
   }
   return slope;
 }
+/// The weights, of which the sum at each s is what forms are divided by.
+template <class Make>
+auto weights_of(const Make& number, const Bezier& curve) {
+  return bernstein_of(number, curve, [&](const Vec2&) { return number(1); });
+}
 /// The value of a form at the point of s.
 template <class Make, class Number>
-Number form_at(const Make&, const Bezier&, const Bernstein<Number>& form, const Number& s) {
-  return bernstein_value(form, s);
+Number form_at(const Make& number, const Bezier& curve, const Bernstein<Number>& form,
+               const Number& s) {
+  if (!curve.is_weighted()) return bernstein_value(form, s);
+  return bernstein_value(form, s) / bernstein_value(weights_of(number, curve), s);
 }
-/// One coordinate of a vector along the curve, towards greater s and of any length but 0.
+/// One coordinate of a vector along the curve, towards greater s: the derivative of its point by s times the
+/// square of the weight there.
 template <class Make>
 auto rates_of(const Make& number, const Bezier& curve, int axis) {
-  return bernstein_derivative(coordinates_of(number, curve, axis));
+  if (!curve.is_weighted()) return bernstein_derivative(coordinates_of(number, curve, axis));
+  const auto p = [&](int k) { return number(curve.point(k)[axis]); };
+  const auto twice = number(2) * number(curve.weight);
+  Bernstein<decltype(number(1))> rates;
+  rates.push_back(twice * (p(1) - p(0)));
+  rates.push_back(p(2) - p(0));
+  rates.push_back(twice * (p(2) - p(1)));
+  return rates;
 }
-/// The same in plain doubles, of another length: the legs of the control polygon.
+/// The same in plain doubles, of an n-th of the length, n the degree: the legs of the control polygon, where
+/// nothing is weighted.
 inline Bernstein<Vec2> legs_of(const Bezier& curve) {
+  const auto& p = curve.points;
+  if (curve.is_weighted())
+    return {curve.weight * (p[1] - p[0]), 0.5 * (p[2] - p[0]), curve.weight * (p[2] - p[1])};
   Bernstein<Vec2> legs;
   for (int k = 0; k < curve.degree; ++k) legs.push_back(curve.point(k + 1) - curve.point(k));
   return legs;

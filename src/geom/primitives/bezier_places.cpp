@@ -64,23 +64,37 @@ Vec2 tangent_at(const Bezier& curve, double s) {
   return {rate.x, rate.y};
 }
 
-double speed_at(const Bezier& curve, double s) { return size_of(tangent_at(curve, s)); }
+static double weight_at(const Bezier& curve, double s) {
+  return curve.is_weighted() ? bernstein_value(weights_of(kPlain, curve), s) : 1;
+}
+
+double speed_at(const Bezier& curve, double s) {
+  const double weight = weight_at(curve, s);
+  return size_of(tangent_at(curve, s)) / (weight * weight);
+}
 
 double curvature_at(const Bezier& curve, double s) {
   const auto bend = [&](int axis) {
     return bernstein_value(bernstein_derivative(rates_of(kPlain, curve, axis)), s);
   };
   const Vec2 rate = tangent_at(curve, s);
-  const double speed = size_of(rate);
-  return std::fabs(cross(rate, Vec2(bend(0), bend(1)))) / (speed * speed * speed);
+  const double speed = size_of(rate), weight = weight_at(curve, s);
+  return std::fabs(cross(rate, Vec2(bend(0), bend(1)))) / (speed * speed * speed) *
+         (weight * weight);
 }
 
+// Of r / w^2 it is r' / w^2 - 2 w' r / w^3.
 double most_acceleration(const Bezier& curve) {
   const auto legs = legs_of(curve);
-  double most = 0;
-  for (std::size_t k = 1; k < legs.size(); ++k)
+  double longest = legs[0].stableNorm(), most = 0;
+  for (std::size_t k = 1; k < legs.size(); ++k) {
+    longest = std::max(longest, legs[k].stableNorm());
     most = std::max(most, (legs[k] - legs[k - 1]).stableNorm());
-  return curve.degree * (curve.degree - 1) * most;
+  }
+  if (!curve.is_weighted()) return curve.degree * (curve.degree - 1) * most;
+  const double least = std::min(0.5 + 0.5 * curve.weight, 1.0);
+  const double steepest = 2 * std::fabs(curve.weight - 1);
+  return (4 * most + 4 * steepest * longest / least) / (least * least);
 }
 
 // An end, or where the way from the point stands upright on the curve: where w(s) . w'(s) = 0, w the

@@ -92,7 +92,9 @@ OffsetOrigins::Wall OffsetOrigins::wall(const Bezier& curve) const {
     if (k > 0) bend = std::max(bend, length(legs[k] - legs[k - 1]));
   }
   const double n = curve.degree, speed = n * ahead;
-  const double turning = n * static_cast<double>(legs.size() - 1) * bend;
+  const double most_weight = std::max(curve.weight, 1.0);
+  const double turning =
+      n * static_cast<double>(legs.size() - 1) * bend * (most_weight * most_weight);
   made.ready = ahead > kLeastAhead * longest &&
                speed * speed > kLeastBend * (distance_ / kDistance) * turning;
   return made;
@@ -202,23 +204,32 @@ void OffsetOrigins::add_near(const Wall& wall, const Bezier& other, const Wall&,
                              std::vector<Stretch>& found) const {
   constexpr int kHalvings = 12;
   const double far = 3 * apart_;
+  using Form = Bernstein<double>;
   const auto by = [&](const Vec2& axis) {
     return bernstein_of(kPlain, other, [&](const Vec2& p) { return axis.dot(p - wall.at); });
   };
-  const auto add = [&](const auto& self, const Bernstein<double>& off,
-                       const Bernstein<double>& place, int halvings) -> void {
-    if (*std::ranges::min_element(off) > far || *std::ranges::max_element(off) < -far) return;
-    const bool all_near =
-        *std::ranges::min_element(off) >= -far && *std::ranges::max_element(off) <= far;
-    if (halvings == 0 || all_near) {
-      found.push_back(
-          {*std::ranges::min_element(place) - far, *std::ranges::max_element(place) + far});
+  const auto range = [](const Form& form, const Form& weights) {
+    Stretch of{kInfinity, -kInfinity};
+    for (std::size_t k = 0; k < form.size(); ++k) {
+      const double value = form[k] / weights[k];
+      of = {std::min(of.from, value), std::max(of.to, value)};
+    }
+    return of;
+  };
+  const auto add = [&](const auto& self, const Form& off, const Form& place, const Form& weights,
+                       int halvings) -> void {
+    const Stretch offs = range(off, weights), places = range(place, weights);
+    if (offs.from > far || offs.to < -far) return;
+    if (halvings == 0 || (offs.from >= -far && offs.to <= far)) {
+      found.push_back({places.from - far, places.to + far});
       return;
     }
-    const auto offs = halves(off, 0.5), places = halves(place, 0.5);
-    for (std::size_t part = 0; part < 2; ++part) self(self, offs[part], places[part], halvings - 1);
+    const auto off_halves = halves(off, 0.5), place_halves = halves(place, 0.5),
+               weight_halves = halves(weights, 0.5);
+    for (std::size_t part = 0; part < 2; ++part)
+      self(self, off_halves[part], place_halves[part], weight_halves[part], halvings - 1);
   };
-  add(add, by(wall.normal), by(along(wall.normal)), kHalvings);
+  add(add, by(wall.normal), by(along(wall.normal)), weights_of(kPlain, other), kHalvings);
 }
 
 // Whether all of wall b, or of its box, is on one side of segment a, or of its ends, or inside curve a.

@@ -187,7 +187,7 @@ TEST(OffsetOrigins, NorNearTheEndOfAnArcNorOfCurvesWithoutOne) {
 }
 
 // A curve that comes back beside itself, one that turns within less than a 2^-20 of all, and one with a cusp
-// have none; a parabola and a cubic that lead along their chords have, but at their ends.
+// have none; a parabola, a cubic and arcs of conics that lead along their chords have, but at their ends.
 TEST(OffsetOrigins, NorOnBezierCurvesThatTurnBack) {
   const auto meets = [](const Bezier& curve, const Vec2& from, const Vec2& to) {
     Surfaces walls;
@@ -199,6 +199,10 @@ TEST(OffsetOrigins, NorOnBezierCurvesThatTurnBack) {
   };
   EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 1}, {1, 0}), {0.1, -1}, {0.2, 1}));
   EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 1}, {1, -1}, {2, 0}), {0.1, -1}, {0.2, 1}));
+  for (const double weight : {0.5, 1.5, 2.5})
+    EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 1}, {1, 0}, weight), {0.1, -1}, {0.2, 1})) << weight;
+  EXPECT_FALSE(
+      meets(Bezier({-1, 0}, {0, 1}, {1, 0}, 1e7), {0.1, -1}, {0.2, 1}));  // two lines, all but
   EXPECT_FALSE(meets(Bezier({-1, 0}, {0, 1}, {1, 0}), {0, -1}, {1 - 0x1p-38, 0}));
   EXPECT_FALSE(meets(Bezier({0, 0}, {4, 1}, {0, 0.125}), {1, -1}, {1.1, 2}));
   EXPECT_FALSE(meets(Bezier({-1, 0}, {1, 1}, {-1, 1}, {1, 0}), {0.1, -1}, {0.2, 1}));
