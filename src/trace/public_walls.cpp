@@ -113,4 +113,17 @@ Status Walls::add_beziers(int degree, Column x, Column y) {
   return add_all(data().surfaces, count, curve);
 }
 
+Status Walls::add_conics(Column x, Column y, Column weight) {
+  if (const Status fault = check_columns({x, y}); !fault) return fault;
+  if (const Status fault = check_columns({weight}); !fault) return fault;
+  if (x.size() != 3 * weight.size()) return {Fault::sizes, 0};
+  const std::vector<Vec2> p = points_of(x, y);
+  const auto curve = [&](std::size_t i) {
+    return Bezier(p[3 * i], p[3 * i + 1], p[3 * i + 2], weight[i]);
+  };
+  for (std::size_t i = 0; i < weight.size(); ++i)
+    if (!Bezier::is_in_range(weight[i]) || is_on_one_line(curve(i))) return {Fault::degenerate, i};
+  return add_all(data().surfaces, weight.size(), curve);
+}
+
 }  // namespace flatray::api

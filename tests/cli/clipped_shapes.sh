@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: shapes/arc shapes/bezier shapes/capsule shapes/cell shapes/circle shapes/convex shapes/ellipse shapes/import shapes/lens shapes/mushroom shapes/ngon shapes/parabola shapes/penrose formats/obj
+# needs: shapes/arc shapes/bezier shapes/capsule shapes/cell shapes/circle shapes/conic shapes/convex shapes/ellipse shapes/import shapes/lens shapes/mushroom shapes/ngon shapes/parabola shapes/penrose formats/obj
 # README's limits: `hit`, `edge_rays` and the view `intervals` clip rays to every shape that there is.
 source "$(dirname "$0")/lib.sh"
 
@@ -12,6 +12,7 @@ declare -A shapes=(
   [capsule]='from = [-1, 0], to = [1, 0], radius = 1'
   [cell]='a = [2, 0], b = [1, 2]'
   [circle]='radius = 2'
+  [conic]='vertex = [0, 0], focus = [1, 0], width = 4, eccentricity = 2'
   [convex]='points = [[-1, -1], [1, -1], [0, 1]]'
   [ellipse]='radii = [2, 1]'
   [import]='file = "outline.obj"'

@@ -89,6 +89,9 @@ inline constexpr TableText kTables[] = {
     {"bezier",
      "flatray = 1\n[[entity]]\nshape = { bezier = { points = [[0, 0], [1, 0], [2, 1], [3, 3]], @ } "
      "}"},
+    {"conic",
+     "flatray = 1\n[[entity]]\nshape = { conic = { vertex = [0, 0], focus = [0, 1], width = 2, @ } "
+     "}"},
     {"parabola",
      "flatray = 1\n[[entity]]\nshape = { parabola = { vertex = [0, 0], focus = [0, 1], width = 2, "
      "@ "

@@ -80,6 +80,17 @@ Twice any_walls(Draws& draw) {
     }
     EXPECT_TRUE(both.walls.add_beziers(degree, control.x, control.y));
   }
+  Points control;
+  Numbers weight;
+  for (const double w : {0.25, 1.0, 3.0}) {
+    Bezier curve({0, 0}, {1, 0}, {1, 1}, w);
+    curve = mapped(curve, [&](const Vec2& p) { return Vec2(p + draw.grid_point(-9, 9)); });
+    if (is_on_one_line(curve)) continue;
+    for (int k = 0; k < 3; ++k) control.add(curve.point(k));
+    weight.push_back(w);
+    both.surfaces.add(curve);
+  }
+  EXPECT_TRUE(both.walls.add_conics(control.x, control.y, weight));
   EXPECT_EQ(both.walls.size(), both.surfaces.size());
   return both;
 }
@@ -205,6 +216,9 @@ TEST(PublicTrace, MistakesInWallsAreToldAndAddNothing) {
   expect_fault(arcs(Numbers{1, -1, 1}, one, two, two, one), Fault::radius, 1);
   const Numbers six_x = {0, 1, 2, 0, 1, 2}, six_y = {0, 1, 0, 0, 1, 2};
   expect_fault(walls.add_beziers(2, six_x, six_y), Fault::degenerate, 1);
+  expect_fault(walls.add_conics(six_x, six_y, Numbers{2, 2}), Fault::degenerate, 1);
+  expect_fault(walls.add_conics(six_x, six_y, Numbers{0, 2}), Fault::degenerate, 0);
+  expect_fault(walls.add_conics(six_x, six_y, Numbers{2}), Fault::sizes);
   expect_fault(walls.add_beziers(3, six_x, six_y), Fault::sizes);
   expect_fault(walls.add_beziers(1, six_x, six_y), Fault::sizes);
   expect_fault(walls.add_beziers(2, six_x, zero), Fault::sizes);

@@ -222,7 +222,21 @@ void Question::read_ellipse(const Part& ellipse, Surfaces& walls) {
   walls.add(Arc{{points[0], points[1], points[2]}, Arc::Extent::whole, {0, 0}, {0, 0}});
 }
 
-void Question::read_bezier(const Part& part, Surfaces& walls) {
+void Question::read_bezier(const Part& part, Surfaces& walls) { add_bezier(part, 1, walls); }
+
+void Question::read_conic(const Part& conic, Surfaces& walls) {
+  check_fields(conic, {"points", "weight"});
+  const Part points = conic["points"], weight = conic["weight"];
+  if (!points || !weight) return mistake(conic.where, "needs 3 points and a weight");
+  const auto number = weight.value->as_number();
+  if (!number || !Bezier::is_in_range(*number))
+    return mistake(weight.where, "is not a number from 1e-90 to 1e90");
+  if (points.list() != nullptr && points.list()->size() == 4)
+    return mistake(points.where, "is not a list of 3 control points");
+  add_bezier(points, *number, walls);
+}
+
+void Question::add_bezier(const Part& part, double weight, Surfaces& walls) {
   const Values* items = part.list();
   if (items == nullptr || (items->size() != 3 && items->size() != 4))
     return mistake(part.where, "is not a list of 3 or 4 control points");
@@ -233,7 +247,8 @@ void Question::read_bezier(const Part& part, Surfaces& walls) {
   for (const Vec2& point : points)
     if (point.cwiseAbs().maxCoeff() > kMostOfBezier)
       return mistake(part.where, "reaches beyond 1e200");
-  const Bezier curve(points);
+  Bezier curve(points);
+  curve.weight = weight;
   if (is_on_one_line(curve)) return mistake(part.where, "lies on a line: say a segment");
   walls.add(curve);
 }
@@ -246,11 +261,10 @@ void Question::read_segment(const Part& ends, Surfaces& walls) {
 
 void Question::read_wall(const Part& wall, Surfaces& walls) {
   using Read = void (Question::*)(const Part&, Surfaces&);
-  static constexpr std::pair<const char*, Read> kKinds[] = {{"segment", &Question::read_segment},
-                                                            {"circle", &Question::read_whole},
-                                                            {"arc", &Question::read_arc},
-                                                            {"ellipse", &Question::read_ellipse},
-                                                            {"bezier", &Question::read_bezier}};
+  static constexpr std::pair<const char*, Read> kKinds[] = {
+      {"segment", &Question::read_segment}, {"circle", &Question::read_whole},
+      {"arc", &Question::read_arc},         {"ellipse", &Question::read_ellipse},
+      {"bezier", &Question::read_bezier},   {"conic", &Question::read_conic}};
   std::vector<std::string> names;
   for (const auto& [name, read] : kKinds) names.emplace_back(name);
   check_fields(wall, names);
@@ -258,11 +272,12 @@ void Question::read_wall(const Part& wall, Surfaces& walls) {
   for (const auto& [name, read] : kKinds)
     if (const Part part = wall[name]; part && ++found == 1) (this->*read)(part, walls);
   if (found > 1)
-    mistake(wall.where, "is a segment, a circle, an arc, an ellipse or a bezier: one of them");
+    mistake(wall.where,
+            "is a segment, a circle, an arc, an ellipse, a bezier or a conic: one of them");
   if (found == 0)
     mistake(wall.where,
             "is not a wall: say {\"segment\": [[x1, y1], [x2, y2]]}, {\"circle\": ...}, "
-            "{\"arc\": ...}, {\"ellipse\": ...} or {\"bezier\": ...}");
+            "{\"arc\": ...}, {\"ellipse\": ...}, {\"bezier\": ...} or {\"conic\": ...}");
 }
 
 Surfaces Question::walls(std::string_view name) {

@@ -47,8 +47,8 @@ class Question {
   Circle disc(std::string_view name);
   /// [{"segment":[[x1,y1],[x2,y2]]}, {"circle":{"center":[x,y],"radius":r}},
   /// {"arc":{"center":[x,y],"radius":r,"towards":[hx,hy]}}, {"arc":{...,"from":deg,"to":deg}},
-  /// {"ellipse":{"center":[x,y],"u":[ux,uy],"v":[vx,vy]}}, {"bezier":[[x,y],...]}, ...], numbered
-  /// in this order.
+  /// {"ellipse":{"center":[x,y],"u":[ux,uy],"v":[vx,vy]}}, {"bezier":[[x,y],...]},
+  /// {"conic":{"points":[[x,y],...],"weight":w}}, ...], numbered in this order.
   Surfaces walls(std::string_view name);
 
   /// Says what is wrong, and where: "direction: is missing".
@@ -85,6 +85,8 @@ class Question {
   void read_whole(const Part& circle, Surfaces& walls);
   void read_ellipse(const Part& ellipse, Surfaces& walls);
   void read_bezier(const Part& points, Surfaces& walls);
+  void read_conic(const Part& conic, Surfaces& walls);
+  void add_bezier(const Part& points, double weight, Surfaces& walls);
   void read_segment(const Part& ends, Surfaces& walls);
   void read_arc(const Part& arc, Surfaces& walls);
   void read_degrees(const Part& arc, const Circle& circle, Surfaces& walls);

@@ -63,6 +63,10 @@ TEST(Query, EllipsesAndBezierCurvesAreWalls) {
   EXPECT_EQ(
       nearest(R"({"bezier":[[-1,1],[0,-1],[1,1]]})", R"("origin":[0.5,1],"direction":[0,-1])"),
       R"({"wall":0,"t":0.75,"point":[0.5,0.25],"class":"through"})");
+  // x y = 25
+  const std::string conic = R"({"conic":{"points":[[2.5,10],[4,4],[10,2.5]],"weight":1.25}})";
+  EXPECT_EQ(nearest(conic, R"("origin":[0,4],"direction":[1,0])"),
+            R"({"wall":0,"t":6.25,"point":[6.25,4],"class":"through"})");
   // From one focus of an ellipse to the other and back.
   const std::string orbit = answer(
       R"({"op":"orbit","walls":[{"ellipse":{"center":[0,0],"u":[5,0],"v":[0,4]}}],"origin":[-3,0],)"
@@ -74,6 +78,10 @@ TEST(Query, EllipsesAndBezierCurvesAreWalls) {
       {R"({"bezier":[[0,0],[1,1]]})", "walls[0].bezier: is not a list of 3 or 4 control points"},
       {R"({"bezier":[[0,0],[1,1],[2,2]]})", "lies on a line: say a segment"},
       {R"({"bezier":[[0,0],[1e308,1e308],[-1e308,1e308],[1,0]]})", "reaches beyond 1e200"},
+      {R"({"conic":{"points":[[0,0],[1,1],[2,0]],"weight":0}})",
+       "conic.weight: is not a number from"},
+      {R"({"conic":{"points":[[0,0],[1,1],[2,0],[3,0]],"weight":2}})", "3 control points"},
+      {R"({"conic":{"points":[[0,0],[1,1],[2,0]]}})", "needs 3 points and a weight"},
       {R"({"bezier":[[0,0],[1,1],[2,0]],"circle":{"center":[0,0],"radius":1}})", "one of them"}};
   for (const auto& [wall, message] : cases) {
     const std::string said = nearest(wall, R"("origin":[0,0],"direction":[1,0])");

@@ -1,4 +1,4 @@
-// needs: shapes/bezier shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment
+// needs: shapes/bezier shapes/circle shapes/conic shapes/convex shapes/import shapes/parabola shapes/polygon shapes/segment
 #include <gtest/gtest.h>
 
 #include "scene/outlines/ring.h"
@@ -187,6 +187,36 @@ TEST(StiffCases, A5ABoxSoWrittenHasNoArea) {
 TEST(Shapes, VerticesWrittenAlikeAreNotWarnedOf) {
   EXPECT_TRUE(loaded(with_shape("polygon = { points = [[0, 0], [1, 0], [1.0, 0e5], [0, 1]] }"))
                   .warnings.empty());
+}
+
+// With the focus f ahead of the vertex (1 - e^2) x^2 - 2 f (1 + e) x + y^2 = 0.
+TEST(Shapes, AConicIsWhatItsEccentricitySays) {
+  const Bezier plain =
+      shape_of("conic = { vertex = [0, 0], focus = [1, 0], width = 6, eccentricity = 2 }")
+          .beziers.at(0);
+  EXPECT_EQ(plain.start(), Vec2(1, -3));
+  EXPECT_EQ(plain.point(1), Vec2(-0.5, 0));
+  EXPECT_EQ(plain.end(), Vec2(1, 3));
+  EXPECT_EQ(plain.weight, 2);
+  EXPECT_EQ(
+      shape_of("conic = { vertex = [3, 1], focus = [3, 2], width = 5 }").beziers.at(0).points,
+      shape_of("parabola = { vertex = [3, 1], focus = [3, 2], width = 5 }").beziers.at(0).points);
+  for (const double e : {0.0, 0.3, 0.9, 1.0, 1.5, 20.0}) {
+    const Bezier curve =
+        shape_of("conic = { vertex = [0, 0], focus = [2, 0], width = 3.5, eccentricity = " +
+                 std::to_string(e) + " }")
+            .beziers.at(0);
+    for (const double s : {0.0, 0.1, 0.4, 0.5, 1.0}) {
+      const Vec2 p = point_at(curve, s);
+      EXPECT_NEAR((1 - e * e) * p.x() * p.x() - 4 * (1 + e) * p.x() + p.y() * p.y(), 0, 1e-12) << e;
+    }
+  }
+  EXPECT_NE(refused("conic = { vertex = [0, 0], focus = [1, 0], width = 4, eccentricity = 0.6 }")
+                .find("the conic is wider than the whole ellipse"),
+            std::string::npos);  // which is 4 wide
+  EXPECT_NE(refused("conic = { vertex = [0, 0], focus = [1, 0], width = 1, eccentricity = -1 }")
+                .find("the eccentricity is below 0"),
+            std::string::npos);
 }
 
 TEST(Shapes, OfLinesThatAreFilledAreWarnedOfOnce) {
