@@ -151,7 +151,7 @@ class PlotDrawing {
     return kLabelRoom - kLine + kLine * static_cast<double>(label.size());
   }
 
-  // As many of x as have room.
+  // As many of x as have room, without those whose words would end beyond the plot.
   void lay_below(const Vec2& area) {
     const double unit = area.x() / box_.size().x();
     for (int most = kMostTicks[0]; most >= 1; --most) {
@@ -163,6 +163,11 @@ class PlotDrawing {
       }
       if (fits) break;
     }
+    std::erase_if(ticks_[0], [&](const Tick& tick) {
+      const double half = words_width(tick.words) / 2;
+      return (tick.at - box_.low.x()) * unit + left_ < half ||
+             (box_.high.x() - tick.at) * unit + right_ < half;
+    });
   }
 
   void lay_out() {

@@ -36,6 +36,18 @@ TEST(Plot, LabelsOfLowAndNarrowMapsAreNotCutOff) {
   }
 }
 
+TEST(Plot, LabelsOfTheLastTicksAreNotCutOff) {
+  for (const double most : {0.0035, 700.0, 1234567.0}) {
+    Plot plot{"t", "x", "y", {}};
+    plot.map.emplace(Plot::Map{Image(40, 10, 3), {{-most, 0}, {most, 1}}});
+    const Drawing drawing = drawing_of(plot);
+    for (const Range& span : word_spans(drawing, false)) {
+      EXPECT_GE(span.low, 0) << most;
+      EXPECT_LE(span.high, drawing.size.x()) << most;
+    }
+  }
+}
+
 // WCAG 2.1, 1.4.11: what a graphic is understood by has a contrast of 3 or more to what lies beside it.
 TEST(Plot, CurvesAreSeenOnTheirPaper) {
   for (const bool dark : {false, true}) {
