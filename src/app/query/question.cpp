@@ -231,7 +231,7 @@ void Question::read_conic(const Part& conic, Surfaces& walls) {
   const auto number = weight.value->as_number();
   if (!number || !Bezier::is_in_range(*number))
     return mistake(weight.where, "is not a number from 1e-90 to 1e90");
-  if (points.list() != nullptr && points.list()->size() == 4)
+  if (points.list() == nullptr || points.list()->size() != 3)
     return mistake(points.where, "is not a list of 3 control points");
   add_bezier(points, *number, walls);
 }

@@ -123,7 +123,7 @@ std::vector<double> bends(const Bezier& curve) {
 
 // An acceleration up to A bends no further from k chords than A / (8 k^2).
 void add_curve(const Bezier& curve, Chain& chain) {
-  constexpr double kMostChords = 4096;
+  constexpr double kMostChords = 0x1p17;
   const double wanted = std::sqrt(most_acceleration(curve) / (8 * kCurveSagitta_px));
   const std::vector<double> cuts = bends(curve);
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {

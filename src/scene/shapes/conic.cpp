@@ -28,7 +28,7 @@ Result<Shape> build(Args& args) {
   const Vec2 axis = focus - vertex;
   const double length = axis.stableNorm(), share = half / length;
   const double square = 1 - (1 - e) / (1 + e) * share * share;
-  if (square <= 0)
+  if (square <= 0 && length > 0)
     return fail(args.place("width"), "the conic is wider than the whole ellipse",
                 fmt::format("write less than {:.6g}", 2 * length * std::sqrt((1 + e) / (1 - e))));
   const double weight = std::sqrt(square);
@@ -38,8 +38,10 @@ Result<Shape> build(Args& args) {
                      weight);
   const bool is_finite = (ahead.cwiseAbs() / weight + across.cwiseAbs()).maxCoeff() < kFarthest;
   if (!is_finite || !Bezier::is_in_range(weight) || is_on_one_line(curve))
-    return fail(args.place("focus"), "the conic is too flat, or its focus is its vertex",
-                "write a focus apart from the vertex, about as far from it as the width is large");
+    return fail(
+        args.place("focus"), "the conic is too flat, or its focus is its vertex",
+        "write a focus apart from the vertex, about as far from it as the width is large, and a "
+        "small eccentricity");
   shape.beziers.push_back(curve);
   return shape;
 }

@@ -78,9 +78,12 @@ TEST(Query, EllipsesAndBezierCurvesAreWalls) {
       {R"({"bezier":[[0,0],[1,1]]})", "walls[0].bezier: is not a list of 3 or 4 control points"},
       {R"({"bezier":[[0,0],[1,1],[2,2]]})", "lies on a line: say a segment"},
       {R"({"bezier":[[0,0],[1e308,1e308],[-1e308,1e308],[1,0]]})", "reaches beyond 1e200"},
+      {R"({"conic":{"points":[[0,0],[1,1]],"weight":2}})", "is not a list of 3 control points"},
       {R"({"conic":{"points":[[0,0],[1,1],[2,0]],"weight":0}})",
        "conic.weight: is not a number from"},
+      {R"({"conic":{"points":[[0,0],[1,1]],"weight":2}})", "is not a list of 3 control points"},
       {R"({"conic":{"points":[[0,0],[1,1],[2,0],[3,0]],"weight":2}})", "3 control points"},
+      {R"({"conic":{"points":[[0,0],[1,1]],"weight":2}})", "is not a list of 3 control points"},
       {R"({"conic":{"points":[[0,0],[1,1],[2,0]]}})", "needs 3 points and a weight"},
       {R"({"bezier":[[0,0],[1,1],[2,0]],"circle":{"center":[0,0],"radius":1}})", "one of them"}};
   for (const auto& [wall, message] : cases) {

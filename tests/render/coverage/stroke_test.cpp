@@ -201,9 +201,10 @@ TEST(Strokes, TheOuterEdgeOfACurveIsWithinTheSagitta) {
     const double half = std::exp2(-3 + 11 * draws.unit()), size = std::exp2(1 + 7 * draws.unit());
     const auto point = [&] { return Vec2(size * draws.unit(), size * draws.unit()); };
     const double near = size * std::exp2(-6 - 8 * draws.unit());  // to a cusp
-    const Bezier curve = item % 4 == 1
-                             ? Bezier(point(), point(), point(), point())
-                             : Bezier({0, 0}, {size - near, size}, {near, size}, {size, 0});
+    const Bezier curve =
+        item % 12 == 5  ? Bezier(point(), point(), point(), std::exp2(6 * draws.unit() - 3))
+        : item % 4 == 1 ? Bezier(point(), point(), point(), point())
+                        : Bezier({0, 0}, {size - near, size}, {near, size}, {size, 0});
     const EllipseArc arc{point(),
                          {size, 0},
                          {0, size * (0.05 + draws.unit())},
@@ -225,6 +226,22 @@ TEST(Strokes, TheOuterEdgeOfACurveIsWithinTheSagitta) {
       const Vec2 on = is_arc ? arc.at(arc.from + s * arc.sweep) : point_at(curve, s);
       EXPECT_LE(distance_to(edges, on + out), kCapSagitta_px) << item << " at " << s;
     }
+  }
+}
+
+// y = x^2 / 10^6 for 4 10^6 px, and a hyperbola as long.
+TEST(Strokes, LongCurvesHaveAsManyChordsAsTheyNeed) {
+  for (const double weight : {1.0, 1.5}) {
+    const Bezier curve({-2e6, 4e6}, {0, -4e6}, {2e6, 4e6}, weight);
+    const Chain chain = chains_of({&curve, 1}).front();
+    const std::size_t chords = chain.points.size() - 1;
+    double most = 0;
+    for (std::size_t i = 0; i < chords; ++i) {
+      const double s = (static_cast<double>(i) + 0.5) / static_cast<double>(chords);
+      const Vec2 middle = 0.5 * (chain.points[i] + chain.points[i + 1]);
+      most = std::max(most, (point_at(curve, s) - middle).norm());
+    }
+    EXPECT_LE(most, 1.0 / 512) << weight;
   }
 }
 
