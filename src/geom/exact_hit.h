@@ -62,7 +62,7 @@ class ExactHit {
   Ray ray_;
   HitTime time_;
   Ellipse curve_;  // its centre 0 for a segment and a Bezier curve
-  // Of the point, as curve_form has it; of a Bezier curve its derivative by s there; 0 for a
+  // Of the point, as curve_form has it; of a Bezier curve a vector along it there; 0 for a
   // segment.
   Pair<Bounded> form_;
   Pair<Bounded> from_;  // the point as seen from the centre
