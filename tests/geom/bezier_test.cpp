@@ -279,6 +279,7 @@ TEST(Conic, OfTwoOfTheSamePointsTheWeightTells) {
   EXPECT_FALSE(lies_along(kHyperbola, other));
   EXPECT_TRUE(passes_near(kHyperbola, {5, 5.001}, {0.001, 0.001}));
   EXPECT_FALSE(passes_near(kHyperbola, {5, 5.6}, {0.01, 0.01}));
+  EXPECT_TRUE(passes_near(Bezier({-1, 0}, {0, 1}, {1, 0}, 8), {0, 8 / 9.0 + 0.05}, {0.06, 0.06}));
 }
 
 // A needle whose two sides are nearer to each other than any fixed steps along it are long.

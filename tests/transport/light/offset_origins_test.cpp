@@ -159,6 +159,28 @@ TEST(OffsetOrigins, NothingIsCertainNearAnotherWall) {
   EXPECT_TRUE(origins.meet(free, tracer->nearest_of_one(free, {}, false)));
 }
 
+TEST(OffsetOrigins, NorWhereAWeightedCurveCrosses) {
+  for (const double weight : {0.25, 3.0}) {
+    Surfaces walls;
+    walls.add(Segment{{-1, 0}, {1, 0}});
+    walls.add(Bezier({-0.1, -0.5}, {0.7, 0}, {0.3, 0.5}, weight));
+    const OffsetOrigins origins(walls);
+    const auto tracer = accelerate(walls);
+    const auto meets = [&](double x) {
+      const Ray ray = from_to({x - 0.5, 0.5}, {x, 0});
+      const NearestHit hit = tracer->nearest_of_one(ray, {}, false);
+      EXPECT_EQ(hit.surface, 0U) << x;
+      return origins.meet(ray, hit).has_value();
+    };
+    Surfaces curve;
+    curve.add(walls.beziers[0]);
+    const double x = accelerate(curve)->nearest_of_one({{-1, 0}, {1, 0}}).t - 1;
+    EXPECT_FALSE(meets(x - 0x1p-38)) << weight;
+    EXPECT_TRUE(meets(x - 0.01)) << weight;
+    EXPECT_TRUE(meets(-0.5)) << weight;
+  }
+}
+
 TEST(OffsetOrigins, NorWhereARayGrazesOrComesFromFar) {
   Surfaces walls;
   walls.add(Segment{{-1, 0}, {1, 0}});
