@@ -74,9 +74,10 @@ OffsetOrigins::Wall OffsetOrigins::wall(const Arc& arc) const {
 }
 
 // Where all legs of its control polygon lead along its chord, at angles of a cosine above 1/4, so does the
-// curve: it passes by no place again.
+// curve: it passes by no place again. An arc of a conic turns to one side, by less than half a turn: there
+// any such angle will do that tells its places along the chord apart.
 OffsetOrigins::Wall OffsetOrigins::wall(const Bezier& curve) const {
-  constexpr double kLeastAhead = 0.25;
+  const double least_ahead = curve.degree == 2 ? 0x1p-6 : 0.25;
   const auto length = [](const Vec2& v) { return std::sqrt(v.squaredNorm()); };
   const Vec2 chord = curve.end() - curve.start();
   Wall made;
@@ -95,7 +96,7 @@ OffsetOrigins::Wall OffsetOrigins::wall(const Bezier& curve) const {
   const double most_weight = std::max(curve.weight, 1.0);
   const double turning =
       n * static_cast<double>(legs.size() - 1) * bend * (most_weight * most_weight);
-  made.ready = ahead > kLeastAhead * longest &&
+  made.ready = ahead > least_ahead * longest &&
                speed * speed > kLeastBend * (distance_ / kDistance) * turning;
   return made;
 }

@@ -223,6 +223,9 @@ TEST(OffsetOrigins, NorOnBezierCurvesThatTurnBack) {
   EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 1}, {1, -1}, {2, 0}), {0.1, -1}, {0.2, 1}));
   for (const double weight : {0.5, 1.5, 2.5})
     EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 1}, {1, 0}, weight), {0.1, -1}, {0.2, 1})) << weight;
+  EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 6}, {1, 0}), {0.1, -1}, {0.2, 1}));  // nearly upright ends
+  EXPECT_TRUE(meets(Bezier({-1, 0}, {0, 9}, {1, 0}, 0.25), {0.1, -1}, {0.2, 1}));
+  EXPECT_FALSE(meets(Bezier({-1, 0}, {-1, 6}, {0, 6}, {1, 0}), {0.1, -1}, {0.2, 1}));
   EXPECT_FALSE(
       meets(Bezier({-1, 0}, {0, 1}, {1, 0}, 1e7), {0.1, -1}, {0.2, 1}));  // two lines, all but
   EXPECT_FALSE(meets(Bezier({-1, 0}, {0, 1}, {1, 0}), {0, -1}, {1 - 0x1p-38, 0}));
