@@ -145,7 +145,7 @@ Polynomial product(const Polynomial& p, const Polynomial& q) {
   return all;
 }
 
-// By Euclid's algorithm: the polynomial that times q leaves 1 by p. Needs   no root that both have.
+// The polynomial whose product with q leaves 1 modulo p, by Euclid's algorithm. Needs   no common root.
 Polynomial inverse(Polynomial q, const Polynomial& p) {
   Polynomial last = p, of_last, of_q{1};
   for (q = divide(q, p).rest; q.size() > 1;) {

@@ -218,6 +218,7 @@ TEST(PublicTrace, MistakesInWallsAreToldAndAddNothing) {
   expect_fault(walls.add_beziers(2, six_x, six_y), Fault::degenerate, 1);
   expect_fault(walls.add_conics(six_x, six_y, Numbers{2, 2}), Fault::degenerate, 1);
   expect_fault(walls.add_conics(six_x, six_y, Numbers{0, 2}), Fault::degenerate, 0);
+  expect_fault(walls.add_conics(six_x, six_y, Numbers{0x1p41, 2}), Fault::degenerate, 0);
   expect_fault(walls.add_conics(six_x, six_y, Numbers{2}), Fault::sizes);
   expect_fault(walls.add_beziers(3, six_x, six_y), Fault::sizes);
   expect_fault(walls.add_beziers(1, six_x, six_y), Fault::sizes);

@@ -222,7 +222,12 @@ void Question::read_ellipse(const Part& ellipse, Surfaces& walls) {
   walls.add(Arc{{points[0], points[1], points[2]}, Arc::Extent::whole, {0, 0}, {0, 0}});
 }
 
-void Question::read_bezier(const Part& part, Surfaces& walls) { add_bezier(part, 1, walls); }
+void Question::read_bezier(const Part& part, Surfaces& walls) {
+  const Values* items = part.list();
+  if (items == nullptr || (items->size() != 3 && items->size() != 4))
+    return mistake(part.where, "is not a list of 3 or 4 control points");
+  add_bezier(part, 1, walls);
+}
 
 void Question::read_conic(const Part& conic, Surfaces& walls) {
   check_fields(conic, {"points", "weight"});
@@ -230,18 +235,16 @@ void Question::read_conic(const Part& conic, Surfaces& walls) {
   if (!points || !weight) return mistake(conic.where, "needs 3 points and a weight");
   const auto number = weight.value->as_number();
   if (!number || !Bezier::is_in_range(*number))
-    return mistake(weight.where, "is not a number from 1e-90 to 1e90");
+    mistake(weight.where, "is not a number from 1e-12 to 1e12");
   if (points.list() == nullptr || points.list()->size() != 3)
     return mistake(points.where, "is not a list of 3 control points");
-  add_bezier(points, *number, walls);
+  add_bezier(points, number.value_or(1), walls);
 }
 
+// Of a list of 3 or 4.
 void Question::add_bezier(const Part& part, double weight, Surfaces& walls) {
-  const Values* items = part.list();
-  if (items == nullptr || (items->size() != 3 && items->size() != 4))
-    return mistake(part.where, "is not a list of 3 or 4 control points");
   std::vector<Vec2> points;
-  for (std::size_t i = 0; i < items->size(); ++i) points.push_back(read_point(part.item(i)));
+  for (std::size_t i = 0; i < part.list()->size(); ++i) points.push_back(read_point(part.item(i)));
   if (!sound()) return;
   constexpr double kMostOfBezier = 1e200;  // beyond which products of its forms overflow
   for (const Vec2& point : points)

@@ -27,8 +27,8 @@ struct Bezier {
   int degree;         ///< 2 or 3; of 2 the last point plays no part
   double weight = 1;  ///< of the middle point; of 3 it is 1
 
-  /// Least and greatest weight, so that what doubles hold of the curve stays in their range.
-  static constexpr double kLeastWeight = 0x1p-300, kMostWeight = 0x1p300;
+  /// Least and greatest weight: beyond, doubles no longer tell places near an end by s.
+  static constexpr double kLeastWeight = 0x1p-40, kMostWeight = 0x1p40;
 
   Bezier(const Vec2& a, const Vec2& b, const Vec2& c, double of_middle = 1)
       : points{a, b, c, Vec2(0, 0)}, degree(2), weight(of_middle) {}

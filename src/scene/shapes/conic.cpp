@@ -29,7 +29,7 @@ Result<Shape> build(Args& args) {
   const double length = axis.stableNorm(), share = half / length;
   const double square = 1 - (1 - e) / (1 + e) * share * share;
   if (square <= 0 && length > 0)
-    return fail(args.place("width"), "the conic is wider than the whole ellipse",
+    return fail(args.place("width"), "the conic is as wide as the whole ellipse, or wider",
                 fmt::format("write less than {:.6g}", 2 * length * std::sqrt((1 + e) / (1 - e))));
   const double weight = std::sqrt(square);
   const Vec2 across = share * Vec2(-axis.y(), axis.x());

@@ -75,9 +75,9 @@ OffsetOrigins::Wall OffsetOrigins::wall(const Arc& arc) const {
 
 // Where all legs of its control polygon lead along its chord, at angles of a cosine above 1/4, so does the
 // curve: it passes by no place again. An arc of a conic turns to one side, by less than half a turn: there
-// any such angle will do that tells its places along the chord apart.
+// 1/16 will do, which tells its places along the chord well enough apart.
 OffsetOrigins::Wall OffsetOrigins::wall(const Bezier& curve) const {
-  const double least_ahead = curve.degree == 2 ? 0x1p-6 : 0.25;
+  const double least_ahead = curve.degree == 2 ? 0x1p-4 : 0.25;
   const auto length = [](const Vec2& v) { return std::sqrt(v.squaredNorm()); };
   const Vec2 chord = curve.end() - curve.start();
   Wall made;

@@ -212,8 +212,11 @@ TEST(Shapes, AConicIsWhatItsEccentricitySays) {
     }
   }
   EXPECT_NE(refused("conic = { vertex = [0, 0], focus = [1, 0], width = 4, eccentricity = 0.6 }")
-                .find("the conic is wider than the whole ellipse"),
+                .find("the conic is as wide as the whole ellipse"),
             std::string::npos);  // which is 4 wide
+  EXPECT_NE(refused("conic = { vertex = [0, 0], focus = [0, 0], width = 1, eccentricity = 0.5 }")
+                .find("the conic is too flat, or its focus is its vertex"),
+            std::string::npos);
   EXPECT_NE(refused("conic = { vertex = [0, 0], focus = [1, 0], width = 1, eccentricity = -1 }")
                 .find("the eccentricity is below 0"),
             std::string::npos);

@@ -62,7 +62,7 @@ class Walls {
   /// Arcs of conics: curves of degree 2 whose middle points have weights, below 1 of an ellipse, 1 of a
   /// parabola, above 1 of a hyperbola. The control points of curve i begin at index 3 i.
   /// Error   `sizes`: also where there are not three points a weight; `degenerate`: as of Bezier curves, or a
-  ///         weight below 2^-300 or above 2^300. The entry is the curve.
+  ///         weight below 2^-40 or above 2^40. The entry is the curve.
   Status add_conics(std::span<const double> x, std::span<const double> y,
                     std::span<const double> weight);
 
