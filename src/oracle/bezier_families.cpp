@@ -133,8 +133,8 @@ AimedScene curves(const Make& make) {
     Target target = make();
     Bezier curve(target.points);
     curve.weight = target.weight;
-    for (int k = 0; k <= 4 && !curve.is_weighted(); ++k)
-      target.places.push_back(on_curve(target.points, k / 4.0));
+    if (!curve.is_weighted())
+      for (int k = 0; k <= 4; ++k) target.places.push_back(on_curve(target.points, k / 4.0));
     scene.beziers.push_back(curve);
     scene.places.push_back(std::move(target.places));
   }

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "geom/meetings.h"
 #include "geom/primitives/wall.h"
 #include "geom/quick_hit.h"
 
@@ -15,15 +14,6 @@ const Bezier kLoop({-18, 12}, {26, -4}, {-26, -4},
                    {18, 12});  // 3 (u^3 - u), 3 u^2: u = +-1 at (0, 3)
 const Bezier kCusp({-24, 12}, {24, -4}, {-24, -4}, {24, 12});      // 3 u^3, 3 u^2
 const Bezier kInflection({-6, -24}, {-2, 24}, {2, -24}, {6, 24});  // 3 u, 3 u^3
-
-std::vector<WallMeeting> meetings(const Bezier& wall, const Ray& ray,
-                                  const MeetingRules& rules = {Root::none, true, true}) {
-  std::vector<WallMeeting> met;
-  meet(wall, ray, rules, met);
-  std::sort(met.begin(), met.end(),
-            [](const WallMeeting& a, const WallMeeting& b) { return compare(a.time, b.time) < 0; });
-  return met;
-}
 
 TEST(RealRoot, IsTheSquareRootOfTwo) {
   const Polynomial p{-2, 0, 1};

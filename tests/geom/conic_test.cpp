@@ -1,10 +1,7 @@
 // Weighted quadratic Bezier curves: arcs of conics.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "geom/primitives/bezier.h"
-#include "geom/primitives/wall.h"
+#include "geom/meetings.h"
 
 namespace flatray {
 namespace {
@@ -12,22 +9,13 @@ namespace {
 const Bezier kHyperbola({2.5, 10}, {4, 4}, {10, 2.5}, 1.25);    // x y = 25
 const Bezier kCubic({-18, 12}, {26, -4}, {-26, -4}, {18, 12});  // with a loop
 
-std::vector<WallMeeting> met_by(const Bezier& wall, const Ray& ray,
-                                const MeetingRules& rules = {Root::none, true, true}) {
-  std::vector<WallMeeting> met;
-  meet(wall, ray, rules, met);
-  std::sort(met.begin(), met.end(),
-            [](const WallMeeting& a, const WallMeeting& b) { return compare(a.time, b.time) < 0; });
-  return met;
-}
-
 TEST(Conic, IsMetAsTheHyperbolaItIs) {
-  const auto met = met_by(kHyperbola, {{0, 0}, {1, 2}});
+  const auto met = meetings(kHyperbola, {{0, 0}, {1, 2}});
   ASSERT_EQ(met.size(), 1U);
   EXPECT_EQ(met[0].time.nearest().t, std::sqrt(12.5));
   EXPECT_EQ(met[0].root, Root::second);  // from the right of the curve
   EXPECT_EQ(point_met(kHyperbola, {{0, 0}, {1, 2}}, Root::second).y(), std::sqrt(50.0));
-  const auto touched = met_by(kHyperbola, {{0, 10}, {1, -1}});
+  const auto touched = meetings(kHyperbola, {{0, 10}, {1, -1}});
   ASSERT_EQ(touched.size(), 1U);
   EXPECT_EQ(touched[0].kind, HitClass::touch);
   EXPECT_EQ(touched[0].time.nearest().t, 5);
