@@ -29,8 +29,8 @@ struct Verb {
 /// --max-seconds, --max-memory, --help.
 std::vector<Option> options_of(const Verb& verb);
 
-/// Registered verbs by name: one file each in app/verbs, defining `const Verb <name>` in namespace
-/// flatray::verbs.
+/// Registered verbs by name: one file each in app/verbs, defining `const Verb entry` in namespace
+/// flatray::<name>_verb.
 std::vector<const Verb*> all_verbs();
 
 /// The verb of a name; null where there is none.

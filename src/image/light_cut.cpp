@@ -6,14 +6,12 @@
 #include "base/check.h"
 
 namespace flatray {
+using kernels::kLightTile;
 namespace {
 
-constexpr int kTile = kernels::kLightTile;
 constexpr double kUnitsOfPixel = 65536;
 // Stands for the slope of a line that never leaves its row: the quotient stays a float.
 constexpr double kLeastSlope = 0x1p-100;
-
-int tiles_along(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 // Pieces of one line, at most: two in each tile along its major axis.
 std::size_t most_pieces(int width, int height) {
@@ -82,11 +80,11 @@ inline Walk walk_on_film(const LightLine& line, const double (&size)[2]) {
 // Calls add(tile along u, tile along v, from, to) for the part of the walk in each tile.
 template <class Add>
 inline void each_tile(const Walk& walk, int tiles_v, const Add& add) {
-  int tile_u = floor_of(walk.from / kTile);
+  int tile_u = floor_of(walk.from / kLightTile);
   for (double from = walk.from; from < walk.to; ++tile_u) {
-    const double to = std::min(walk.to, static_cast<double>(kTile * (tile_u + 1)));
-    const int tile_v = static_cast<int>(std::clamp(walk.v(from) / kTile, 0.0, tiles_v - 1.0));
-    const auto border = static_cast<double>(kTile * (tile_v + 1));
+    const double to = std::min(walk.to, static_cast<double>(kLightTile * (tile_u + 1)));
+    const int tile_v = static_cast<int>(std::clamp(walk.v(from) / kLightTile, 0.0, tiles_v - 1.0));
+    const auto border = static_cast<double>(kLightTile * (tile_v + 1));
     if (tile_v + 1 < tiles_v && walk.v(to) > border) {
       const double middle = std::clamp(walk.u(border), from, to);
       add(tile_u, tile_v, from, middle);
@@ -149,14 +147,14 @@ inline void LightBins::cut(const LightLine& line) {
   if (!(walk.from < walk.to)) return;
   kernels::LightPiece piece = whole_piece(line, walk.slope);
   each_tile(walk, tiles_[1 - walk.steep], [&](int tile_u, int tile_v, double from, double to) {
-    const auto corner_u = static_cast<double>(kTile * tile_u);
-    const auto corner_v = static_cast<double>(kTile * tile_v);
+    const auto corner_u = static_cast<double>(kLightTile * tile_u);
+    const auto corner_v = static_cast<double>(kLightTile * tile_v);
     piece.from = static_cast<float>(from - corner_u);
     piece.to = static_cast<float>(to - corner_u);
     if (!(piece.from < piece.to)) return;
     // Beyond these no row of the tile is met; a line of huge coordinates can be off by more.
-    piece.minor =
-        static_cast<float>(std::clamp<double>(walk.v(corner_u) - corner_v, -kTile, 2 * kTile));
+    piece.minor = static_cast<float>(
+        std::clamp<double>(walk.v(corner_u) - corner_v, -kLightTile, 2 * kLightTile));
     const int along = walk.backwards != 0 ? -1 - tile_u : tile_u;
     const int tile = walk.steep != 0 ? along * tiles_[0] + tile_v : tile_v * tiles_[0] + along;
     add(kBinsOfTile * static_cast<std::size_t>(tile) + 2 * walk.steep + walk.backwards, piece);

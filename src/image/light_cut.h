@@ -9,6 +9,11 @@
 
 namespace flatray {
 
+/// Tiles in a row or column of so many pixels.
+inline int tiles_along(int pixels) {
+  return (pixels + kernels::kLightTile - 1) / kernels::kLightTile;
+}
+
 /// A straight part of a light path on the film: in pixels, x to the right, y down, pixel (i, j)
 /// covers [i, i + 1) x [j, j + 1).
 struct LightLine {

@@ -6,9 +6,9 @@
 #include "base/parallel.h"
 
 namespace flatray {
+using kernels::kLightTile;
 namespace {
 
-constexpr int kTile = kernels::kLightTile;
 // A piece adds at most 2^16 sqrt(2) units to a pixel, and less than 4 that are rounding's: 92 686.
 // So many pieces stay below 2^32 : 46 000 * 92 686 = 4 263 556 000 < 4 294 967 296.
 constexpr std::uint32_t kMostPieces = 46000;
@@ -20,16 +20,15 @@ constexpr unsigned kMostThreads = 64;
 // Fewer lines are cut sooner than a thread is started.
 constexpr std::size_t kLinesOfThread = 4096;
 
-int tiles_along(int pixels) { return (pixels + kTile - 1) / kTile; }
 std::size_t tiles_of(int width, int height) {
   return static_cast<std::size_t>(tiles_along(width)) *
          static_cast<std::size_t>(tiles_along(height));
 }
 std::size_t numbers_of_layer(int channels) {
-  return static_cast<std::size_t>(kTile * channels * kernels::kLightColumn);
+  return static_cast<std::size_t>(kLightTile * channels * kernels::kLightColumn);
 }
 std::size_t numbers_of_tile(int channels) {
-  return static_cast<std::size_t>(kTile * kTile * channels);
+  return static_cast<std::size_t>(kLightTile * kLightTile * channels);
 }
 
 const kernels::LightKernels& light_kernels(Isa isa) {
@@ -73,13 +72,14 @@ std::uint64_t LightFilm::bytes(int width, int height, int channels, unsigned thr
 }
 
 int LightFilm::columns_of(std::size_t tile) const {
-  return std::min(kTile,
-                  width_ - kTile * static_cast<int>(tile % static_cast<std::size_t>(tiles_x_)));
+  return std::min(kLightTile, width_ - kLightTile * static_cast<int>(
+                                                        tile % static_cast<std::size_t>(tiles_x_)));
 }
 
 int LightFilm::rows_of(std::size_t tile) const {
-  return std::min(kTile,
-                  height_ - kTile * static_cast<int>(tile / static_cast<std::size_t>(tiles_x_)));
+  return std::min(
+      kLightTile,
+      height_ - kLightTile * static_cast<int>(tile / static_cast<std::size_t>(tiles_x_)));
 }
 
 std::size_t LightFilm::place_in_layer(std::size_t axis, int column, int row, int channel) const {
@@ -89,11 +89,12 @@ std::size_t LightFilm::place_in_layer(std::size_t axis, int column, int row, int
 }
 
 std::size_t LightFilm::place_in_tile(int column, int row, int channel) const {
-  return static_cast<std::size_t>((row * kTile + column) * channels_ + channel);
+  return static_cast<std::size_t>((row * kLightTile + column) * channels_ + channel);
 }
 
 std::size_t LightFilm::place_in_film(std::size_t tile, int column, int row, int channel) const {
-  const auto across = static_cast<std::size_t>(tiles_x_), of_tile = static_cast<std::size_t>(kTile);
+  const auto across = static_cast<std::size_t>(tiles_x_),
+             of_tile = static_cast<std::size_t>(kLightTile);
   const std::size_t x = tile % across * of_tile + static_cast<std::size_t>(column);
   const std::size_t y = tile / across * of_tile + static_cast<std::size_t>(row);
   return (y * static_cast<std::size_t>(width_) + x) * static_cast<std::size_t>(channels_) +
@@ -144,9 +145,9 @@ void LightFilm::draw(std::size_t tile, std::size_t axis, bool backwards, Pieces 
   if (waiting + pieces.size() > kMostPieces) spill(tile, axis);
   waiting += static_cast<std::uint32_t>(pieces.size());
   const int rows = axis == 0 ? rows_of(tile) : columns_of(tile);
-  deposit_(
-      pieces.data(), pieces.size(),
-      {layer.data(), backwards ? kTile - 1 : 0, backwards ? -1 : 1, static_cast<float>(rows - 2)});
+  deposit_(pieces.data(), pieces.size(),
+           {layer.data(), backwards ? kLightTile - 1 : 0, backwards ? -1 : 1,
+            static_cast<float>(rows - 2)});
 }
 
 void LightFilm::spill(std::size_t tile, std::size_t axis) {

@@ -19,17 +19,17 @@ void expect_fault(api::Status status, api::Fault fault, std::size_t entry = 0) {
   EXPECT_EQ(status.entry, entry);
 }
 
-struct Shape {
+struct Grown {
   std::vector<Vec2> ring;
   double radius;
 };
 
 // Boxes, slanted ones, segments and points of whole numbers, a third of them grown by a radius.
-Shape any_shape(Draw& draw) {
+Grown any_shape(Draw& draw) {
   const double x = draw.below(30), y = draw.below(30), w = draw.below(4), h = draw.below(4),
                shear = draw.below(3);
   const Vec2 at(x, y);
-  Shape body{{at}, draw.below(3) == 0 ? 0.5 * draw.below(4) : 0};
+  Grown body{{at}, draw.below(3) == 0 ? 0.5 * draw.below(4) : 0};
   if (draw.below(4) > 0)
     body.ring = {at, at + Vec2(w, 0), at + Vec2(w + shear, h), at + Vec2(shear, h)};
   return body;
@@ -49,10 +49,10 @@ bool same(const api::Contact& a, const HitInterval& b) {
 
 TEST(PublicCollide, ContactsAreThoseOfTheModule) {
   Draw draw(17, 45, 0);
-  std::vector<Shape> bodies;
+  std::vector<Grown> bodies;
   api::Bodies set;
   for (int i = 0; i < 200; ++i) {
-    const Shape body = any_shape(draw);
+    const Grown body = any_shape(draw);
     bodies.push_back(body);
     Numbers x, y;
     for (const Vec2& p : body.ring) x.push_back(p.x()), y.push_back(p.y());
@@ -73,7 +73,7 @@ TEST(PublicCollide, ContactsAreThoseOfTheModule) {
     int met = 0, round = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const api::MovingPair& pair = pairs[i];
-      const Shape &a = bodies[pair.a], &b = bodies[pair.b];
+      const Grown &a = bodies[pair.a], &b = bodies[pair.b];
       const MovingBody one{a.ring, {pair.velocity_ax, pair.velocity_ay}, a.radius},
           other{b.ring, {pair.velocity_bx, pair.velocity_by}, b.radius};
       const Range range{within.low, within.high};

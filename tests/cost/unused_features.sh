@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # unused_features.sh [--must] BUILDS ROOT [FEW]: no scene pays for what it does not use. A scene takes at most 1 % more
-# instructions in the release build, with all its parts, than in the build FEW (few: what draws boxes, and our PNG encoder),
-# and gives the same bytes. Scenes: those written here, and the first frame of all shipped ones that FEW can draw.
+# instructions in the release build, with all its parts, than in the build in the folder FEW (minimal, where the preset few
+# puts what draws boxes, and our PNG encoder), and gives the same bytes. Scenes: those written here, and the first frame of all shipped ones that FEW can draw.
 # Where there is no valgrind, or a build is missing, the check is skipped (exit 77); with --must, or where CI is set, it fails
 # then. A build that is older than its sources is brought up to date.
 set -euo pipefail
@@ -9,7 +9,7 @@ must=${CI:-}
 [[ $1 != --must ]] || { must=1 && shift; }
 builds=$(cd "$1" && pwd)
 root=$(cd "$2" && pwd)
-few=${3:-few}
+few=${3:-minimal}
 skip() {
   [[ -z $must ]] || { echo "FAIL: $1" && exit 1; }
   echo "skipped: $1"
@@ -19,9 +19,9 @@ command -v valgrind >/dev/null || skip "there is no valgrind"
 unset "${!FLATRAY_@}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-for preset in release "$few"; do
-  [[ -x $builds/$preset/flatray ]] || skip "the $preset preset is not built"
-  cmake --build "$builds/$preset" --target flatray >"$work/build.log" || { cat "$work/build.log" && exit 1; }
+for folder in release "$few"; do
+  [[ -x $builds/$folder/flatray ]] || skip "there is no program in $builds/$folder"
+  cmake --build "$builds/$folder" --target flatray >"$work/build.log" || { cat "$work/build.log" && exit 1; }
 done
 # Paths of one length, and no modules beside either.
 mkdir "$work/all" "$work/few" "$work/own"

@@ -12,7 +12,7 @@ namespace {
 
 using Bytes = PictureFormat::Bytes;
 
-LinearImage ramp(int width, int height) {
+LinearImage plain_ramp(int width, int height) {
   LinearImage image{width, height, {}};
   for (int i = 0; i < 3 * width * height; ++i) image.pixels.push_back(static_cast<float>(i) / 8);
   return image;
@@ -27,7 +27,7 @@ FilmFile small_film() {
 
 Bytes encoded(const PictureFormat& format) {
   if (format.of_film != nullptr) return format.of_film(small_film());
-  if (format.of_light != nullptr) return format.of_light(ramp(4, 3));
+  if (format.of_light != nullptr) return format.of_light(plain_ramp(4, 3));
   const Bytes picture = format.encode(noise(4, 3, 3));
   return format.is_video() ? format.part(picture, 0, {4, 3, 1, 24}) : picture;
 }

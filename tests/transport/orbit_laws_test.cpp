@@ -9,7 +9,7 @@
 namespace flatray {
 namespace {
 
-double draw(std::uint64_t item, std::uint32_t which) {
+double draw_of_law(std::uint64_t item, std::uint32_t which) {
   return unit_double(random_bits(7, Stream::test, 0, item, which));
 }
 
@@ -33,9 +33,9 @@ std::vector<Ray> rays_at_vertices(const std::vector<Vec2>& vertices, std::size_t
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2& vertex = vertices[i % vertices.size()];
     const Vec2& other = vertices[(i / vertices.size()) % vertices.size()];
-    const Vec2 origin = middle + 0.5 * draw(i, 0) * (other - middle);
+    const Vec2 origin = middle + 0.5 * draw_of_law(i, 0) * (other - middle);
     const double ulp = std::nextafter(vertex.norm(), kInfinity) - vertex.norm();
-    const Vec2 beside(4 * ulp * (draw(i, 1) - 0.5), 4 * ulp * (draw(i, 2) - 0.5));
+    const Vec2 beside(4 * ulp * (draw_of_law(i, 1) - 0.5), 4 * ulp * (draw_of_law(i, 2) - 0.5));
     rays.push_back({origin, vertex - origin + (i % 3 == 0 ? Vec2(0, 0) : beside)});
   }
   return rays;
@@ -135,8 +135,8 @@ TEST(StiffCases, C26NoLeakBetweenCircleAndWall) {
   for (std::uint64_t first = 0; first < times(1'000'000, kTogether); first += kTogether) {
     std::vector<Ray> rays;
     for (std::uint64_t i = first; i < first + kTogether; ++i)
-      rays.push_back({{-1.5 + 0.25 * draw(i, 3), -1 + 0.25 * draw(i, 4)},
-                      Vec2(0, -1) - Vec2(-1.5, -0.9 + 0.01 * draw(i, 5))});
+      rays.push_back({{-1.5 + 0.25 * draw_of_law(i, 3), -1 + 0.25 * draw_of_law(i, 4)},
+                      Vec2(0, -1) - Vec2(-1.5, -0.9 + 0.01 * draw_of_law(i, 5))});
     expect_none(rays);
   }
 }
@@ -162,7 +162,8 @@ TEST(Orbits, KeepTheirSpeed) {
 TEST(Orbits, OfABatchAreThoseOfSingleRays) {
   const Surfaces walls = ring(kLawPentagon);
   std::vector<Ray> rays;
-  for (std::size_t i = 0; i < 40; ++i) rays.push_back({{0.1, 0.2}, {draw(i, 6) - 0.5, draw(i, 7)}});
+  for (std::size_t i = 0; i < 40; ++i)
+    rays.push_back({{0.1, 0.2}, {draw_of_law(i, 6) - 0.5, draw_of_law(i, 7)}});
   rays.push_back({{0.1, 0.2}, kLawPentagon[1] - Vec2(0.1, 0.2)});
   rays.push_back({{5, 0}, {1, 0}});
   const std::vector<Orbit> together = trace_orbits(walls, all_mirrors(walls), rays, 30);

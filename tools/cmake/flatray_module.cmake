@@ -35,6 +35,7 @@ function(flatray_unite_folders target)
 endfunction()
 
 # One registered entry: compiles <folder>/<name>.cpp, with sources that it alone needs, and puts it in the table <folder>.inc.
+# It is a namespace of its own, as it is compiled as one source with others.
 #   flatray_register(scene shapes box)
 function(flatray_register module folder name)
   set(entry ${folder}/${name})
@@ -44,7 +45,10 @@ function(flatray_register module folder name)
     return()
   endif()
   target_sources(flatray_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp ${ARGN})
-  set_property(SOURCE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)  # they use the same names
+  get_property(names TARGET flatray_${module} PROPERTY FLATRAY_ENTRIES_${folder})
+  list(LENGTH names count)
+  math(EXPR batch "${count} / ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
+  set_property(SOURCE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp PROPERTY UNITY_GROUP ${folder}_${batch})
   set_property(TARGET flatray_${module} APPEND PROPERTY FLATRAY_ENTRIES_${folder} ${name})
 endfunction()
 
@@ -71,10 +75,10 @@ function(flatray_finish_entries)
 endfunction()
 
 # Writes <folder>.inc: the declarations of the entries, and the function that gives them all, sorted. The source whose
-# header declares that function includes it in namespace flatray. An entry called NAME defines `symbol`. REQUIRED: every
-# build has one of them at least.
-#   flatray_write_table(scene shapes ShapeType shape_types shapes::NAME)
-function(flatray_write_table module folder type function symbol)
+# header declares that function includes it in namespace flatray. An entry called NAME defines `entry` in the namespace told.
+# REQUIRED: every build has one of them at least.
+#   flatray_write_table(scene shapes ShapeType shape_types NAME_shape)
+function(flatray_write_table module folder type function space)
   get_property(names TARGET flatray_${module} PROPERTY FLATRAY_ENTRIES_${folder})
   if(NOT names AND "REQUIRED" IN_LIST ARGN)
     message(FATAL_ERROR "FLATRAY_ONLY or FLATRAY_WITHOUT leaves nothing of ${folder}/: keep one entry")
@@ -83,14 +87,10 @@ function(flatray_write_table module folder type function symbol)
   set(declarations "")
   set(addresses "")
   foreach(name IN LISTS names)
-    string(REPLACE NAME ${name} entry ${symbol})
-    string(REGEX REPLACE ".*::" "" unqualified ${entry})
-    string(APPEND declarations "extern const ${type} ${unqualified};\n")
-    string(APPEND addresses "&${entry}, ")
+    string(REPLACE NAME ${name} entry ${space})
+    string(APPEND declarations "namespace ${entry} { extern const ${type} entry; }\n")
+    string(APPEND addresses "&${entry}::entry, ")
   endforeach()
-  if(symbol MATCHES "(.+)::")
-    set(declarations "namespace ${CMAKE_MATCH_1} {\n${declarations}}\n")
-  endif()
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${folder}.inc CONTENT
     "${declarations}std::vector<const ${type}*> ${function}() { return {${addresses}}; }\n")
   target_include_directories(flatray_${module} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})

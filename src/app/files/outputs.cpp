@@ -57,7 +57,7 @@ Result<std::string> beginning_of(const fs::path& path) {
   return content;
 }
 
-std::string_view as_text(std::span<const std::byte> bytes) {
+std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -114,7 +114,7 @@ Result<void> Outputs::make_way(const fs::path& path, std::string_view content) c
 }
 
 Result<void> Outputs::write(const fs::path& path, std::span<const std::byte> bytes) const {
-  if (auto allowed = allow(path, as_text(bytes)); !allowed) return allowed;
+  if (auto allowed = allow(path, text_of(bytes)); !allowed) return allowed;
   return write_file(path, bytes);
 }
 

@@ -2,7 +2,7 @@
 
 #include "app/query/query.h"
 
-namespace flatray::queries {
+namespace flatray::clip_query {
 namespace {
 
 JsonValue edge(int number) { return number == kNoEdge ? JsonValue() : JsonValue(number); }
@@ -36,7 +36,7 @@ Fields answer(Question& question) {
 
 }  // namespace
 
-extern const Query clip = {
+extern const Query entry = {
     "clip", "the part of a ray, line or segment inside a convex polygon or disc", &answer};
 
-}  // namespace flatray::queries
+}  // namespace flatray::clip_query

@@ -1,7 +1,7 @@
 #include "app/query/query.h"
 #include "collide/turning_contact.h"
 
-namespace flatray::queries {
+namespace flatray::contact_query {
 namespace {
 
 // A ring as seen from the point it turns about.
@@ -55,8 +55,8 @@ Fields answer(Question& question) {
 
 }  // namespace
 
-extern const Query contact = {
+extern const Query entry = {
     "contact", "when two moving convex polygons or discs meet, from the first instant to the last",
     &answer};
 
-}  // namespace flatray::queries
+}  // namespace flatray::contact_query

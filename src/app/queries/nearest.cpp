@@ -3,7 +3,7 @@
 #include "trace/tracer.h"
 #include "transport/hit_point.h"
 
-namespace flatray::queries {
+namespace flatray::nearest_query {
 namespace {
 
 Fields answer(Question& question) {
@@ -27,6 +27,6 @@ Fields answer(Question& question) {
 
 }  // namespace
 
-extern const Query nearest = {"nearest", "the first wall a ray meets", &answer};
+extern const Query entry = {"nearest", "the first wall a ray meets", &answer};
 
-}  // namespace flatray::queries
+}  // namespace flatray::nearest_query

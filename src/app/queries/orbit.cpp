@@ -6,7 +6,7 @@
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
 
-namespace flatray::queries {
+namespace flatray::orbit_query {
 namespace {
 
 constexpr std::uint64_t kMostBounces = 1'000'000;  // an answer is one line in memory
@@ -85,6 +85,6 @@ Fields answer(Question& question) {
 
 }  // namespace
 
-extern const Query orbit = {"orbit", "the bounces of a ray between mirrors", &answer};
+extern const Query entry = {"orbit", "the bounces of a ray between mirrors", &answer};
 
-}  // namespace flatray::queries
+}  // namespace flatray::orbit_query

@@ -9,8 +9,8 @@
 
 namespace flatray {
 
-/// One kind of question. Registered by one file each in app/queries, defining `const Query <name>`
-/// in namespace flatray::queries.
+/// One kind of question. Registered by one file each in app/queries, defining `const Query entry`
+/// in namespace flatray::<name>_query.
 struct Query {
   const char* name;     ///< as "op" says it
   const char* summary;  ///< one line, no full stop

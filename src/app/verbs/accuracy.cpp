@@ -13,7 +13,7 @@
 #include "app/verb.h"
 #include "study/accuracy/accuracy_report.h"
 
-namespace flatray::verbs {
+namespace flatray::accuracy_verb {
 namespace {
 
 std::vector<std::string> choice_names() { return names_of(flatray::choices()); }
@@ -81,7 +81,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb accuracy = {
+extern const Verb entry = {
     "accuracy",
     "SCENE",
     "measure error against run time of every choice a scene has",
@@ -92,4 +92,4 @@ extern const Verb accuracy = {
     "journey.profile\n",
     "nothing measured"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::accuracy_verb

@@ -7,7 +7,7 @@
 #include "base/shown_text.h"
 #include "render/coverage/unseen.h"
 
-namespace flatray::verbs {
+namespace flatray::check_verb {
 namespace {
 
 struct Options : Arguments {
@@ -53,11 +53,11 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb check = {"check",
+extern const Verb entry = {"check",
                            "SCENE...",
                            "read scenes and report every mistake, without drawing",
                            kCommand<Options, &run>,
                            "  flatray check scenes/*.toml\n",
                            ""};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::check_verb

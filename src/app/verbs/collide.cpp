@@ -15,7 +15,7 @@
 #include "scene/names.h"
 #include "scene/responses.h"
 
-namespace flatray::verbs {
+namespace flatray::collide_verb {
 namespace {
 
 enum class Method : std::uint8_t { minkowski, edge_rays, boxes };
@@ -216,7 +216,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb collide = {
+extern const Verb entry = {
     "collide",
     "SCENE",
     "say when the entities of a scene meet, and where",
@@ -228,4 +228,4 @@ extern const Verb collide = {
     "  flatray collide scenes/tutorial/11_journey.toml -f 30..60 --csv\n",
     "nothing looked for"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::collide_verb

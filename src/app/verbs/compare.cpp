@@ -19,7 +19,7 @@
 #include "image/picture_format.h"
 #include "image/png.h"
 
-namespace flatray::verbs {
+namespace flatray::compare_verb {
 namespace {
 
 namespace fs = std::filesystem;
@@ -226,12 +226,12 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb compare = {"compare",
-                             "A.png B.png",
-                             "say whether two pictures, or two folders of pictures, are equal",
-                             kCommand<Options, &run>,
-                             "  flatray compare out/a.png out/b.png --diff out/diff.png\n"
-                             "  flatray compare out/demo out/demo_of_yesterday --metric psnr\n",
-                             "nothing compared"};
+extern const Verb entry = {"compare",
+                           "A.png B.png",
+                           "say whether two pictures, or two folders of pictures, are equal",
+                           kCommand<Options, &run>,
+                           "  flatray compare out/a.png out/b.png --diff out/diff.png\n"
+                           "  flatray compare out/demo out/demo_of_yesterday --metric psnr\n",
+                           "nothing compared"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::compare_verb

@@ -2,7 +2,7 @@
 
 #include "app/verb.h"
 
-namespace flatray::verbs {
+namespace flatray::completion_verb {
 namespace {
 
 Result<VerbOutput> run(const NoOptions& options) {
@@ -17,7 +17,7 @@ Result<VerbOutput> run(const NoOptions& options) {
 
 }  // namespace
 
-extern const Verb completion = {
+extern const Verb entry = {
     "completion",
     "SHELL",
     "print the script by which bash, zsh or fish completes command lines",
@@ -31,4 +31,4 @@ extern const Verb completion = {
     nullptr,
     9'999};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::completion_verb

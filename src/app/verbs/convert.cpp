@@ -9,7 +9,7 @@
 #include "scene/reading/file_names.h"
 #include "scene/reading/write_toml.h"
 
-namespace flatray::verbs {
+namespace flatray::convert_verb {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,12 +50,12 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb convert = {"convert",
-                             "SCENE OUT.toml",
-                             "write a scene of any format as TOML; comments are left out",
-                             kCommand<Options, &run>,
-                             "  flatray convert scenes/imported/castle.obj castle.toml\n"
-                             "  flatray convert scene.toml - -D film.size=[64,64] > small.toml\n",
-                             "nothing written"};
+extern const Verb entry = {"convert",
+                           "SCENE OUT.toml",
+                           "write a scene of any format as TOML; comments are left out",
+                           kCommand<Options, &run>,
+                           "  flatray convert scenes/imported/castle.obj castle.toml\n"
+                           "  flatray convert scene.toml - -D film.size=[64,64] > small.toml\n",
+                           "nothing written"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::convert_verb

@@ -17,7 +17,7 @@
 #include "base/number_text.h"
 #include "precise/certified_orbit.h"
 
-namespace flatray::verbs {
+namespace flatray::experiment_verb {
 namespace {
 
 std::vector<std::string> experiment_names() { return names_of(flatray::experiments()); }
@@ -284,7 +284,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb experiment = {
+extern const Verb entry = {
     "experiment",
     "NAME SCENE",
     "measure something of a scene and compare it with what must come out",
@@ -299,4 +299,4 @@ extern const Verb experiment = {
     &experiment_names,
     kKept};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::experiment_verb

@@ -12,7 +12,7 @@
 #include "collide/scene_timeline.h"
 #include "render/ray_walls.h"
 
-namespace flatray::verbs {
+namespace flatray::explain_verb {
 namespace {
 
 constexpr std::size_t kMeasuredFrames = 24;
@@ -92,12 +92,12 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb explain = {"explain",
-                             "SCENE",
-                             "show what a render of the scene would do and leave out, and why",
-                             kCommand<Options, &run>,
-                             "  flatray explain scenes/demo.toml\n"
-                             "  flatray explain --measure -f 1..48 scenes/demo.toml\n",
-                             ""};
+extern const Verb entry = {"explain",
+                           "SCENE",
+                           "show what a render of the scene would do and leave out, and why",
+                           kCommand<Options, &run>,
+                           "  flatray explain scenes/demo.toml\n"
+                           "  flatray explain --measure -f 1..48 scenes/demo.toml\n",
+                           ""};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::explain_verb

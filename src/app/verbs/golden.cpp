@@ -14,7 +14,7 @@
 #include "base/parallel.h"
 #include "image/compare.h"
 
-namespace flatray::verbs {
+namespace flatray::golden_verb {
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,7 +185,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb golden = {
+extern const Verb entry = {
     "golden",
     "check|update [SCENE...]",
     "compare committed pictures with what the scenes draw, or accept new ones",
@@ -195,4 +195,4 @@ extern const Verb golden = {
     "  flatray golden update chamber/hall --why \"walls are drawn thicker\" -f 3\n",
     "no golden changed"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::golden_verb

@@ -1,6 +1,6 @@
 #include "app/help/help.h"
 
-namespace flatray::verbs {
+namespace flatray::help_verb {
 namespace {
 
 Result<VerbOutput> run(const NoOptions& options) {
@@ -11,14 +11,14 @@ Result<VerbOutput> run(const NoOptions& options) {
 
 }  // namespace
 
-extern const Verb help = {"help",
-                          "[TOPIC]",
-                          "explain a verb, a topic, a table or a shape of scenes",
-                          kCommand<NoOptions, &run>,
-                          "  flatray help render\n"
-                          "  flatray help frames\n"
-                          "  flatray help entity\n",
-                          "",
-                          &help_names};
+extern const Verb entry = {"help",
+                           "[TOPIC]",
+                           "explain a verb, a topic, a table or a shape of scenes",
+                           kCommand<NoOptions, &run>,
+                           "  flatray help render\n"
+                           "  flatray help frames\n"
+                           "  flatray help entity\n",
+                           "",
+                           &help_names};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::help_verb

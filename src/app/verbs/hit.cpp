@@ -12,7 +12,7 @@
 #include "app/verb.h"
 #include "scene/names.h"
 
-namespace flatray::verbs {
+namespace flatray::hit_verb {
 namespace {
 
 constexpr Word<const Range*> kDomains[] = {
@@ -183,14 +183,14 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb hit = {"hit",
-                         "SCENE",
-                         "show which parts of rays lie inside each shape, edge by edge",
-                         kCommand<Options, &run>,
-                         "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
-                         "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n"
-                         "  flatray hit scene.toml --ray 1,2,22,10 --svg > hit.svg\n"
-                         "  flatray hit scene.toml --ray 1,2,22,10 --op intersection\n",
-                         ""};
+extern const Verb entry = {"hit",
+                           "SCENE",
+                           "show which parts of rays lie inside each shape, edge by edge",
+                           kCommand<Options, &run>,
+                           "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
+                           "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n"
+                           "  flatray hit scene.toml --ray 1,2,22,10 --svg > hit.svg\n"
+                           "  flatray hit scene.toml --ray 1,2,22,10 --op intersection\n",
+                           ""};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::hit_verb

@@ -17,7 +17,7 @@
 #include "study/experiment.h"
 #include "trace/tracer.h"
 
-namespace flatray::verbs {
+namespace flatray::list_verb {
 namespace {
 
 struct Options : Arguments {
@@ -89,12 +89,12 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb list = {"list",
-                          "[KIND]",
-                          "show what is registered, as shapes, formats, tracers and experiments",
-                          kCommand<Options, &run>,
-                          "  flatray list shapes\n",
-                          "",
-                          &kind_names};
+extern const Verb entry = {"list",
+                           "[KIND]",
+                           "show what is registered, as shapes, formats, tracers and experiments",
+                           kCommand<Options, &run>,
+                           "  flatray list shapes\n",
+                           "",
+                           &kind_names};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::list_verb

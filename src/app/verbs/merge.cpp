@@ -16,7 +16,7 @@
 #include "render/light/light_picture.h"
 #include "scene/lamp.h"
 
-namespace flatray::verbs {
+namespace flatray::merge_verb {
 namespace {
 
 struct Exposure {
@@ -155,7 +155,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb merge = {
+extern const Verb entry = {
     "merge",
     "FILE.film...",
     "add films of light, exactly and in any order, into a film or a picture",
@@ -165,4 +165,4 @@ extern const Verb merge = {
     "  flatray merge a.film b.film -o all.film --force\n",
     "nothing written"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::merge_verb

@@ -15,7 +15,7 @@
 #include "scene/names.h"
 #include "scene/responses.h"
 
-namespace flatray::verbs {
+namespace flatray::orbit_verb {
 namespace {
 
 // What --speed says of all rays.
@@ -229,7 +229,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb orbit = {
+extern const Verb entry = {
     "orbit",
     "SCENE",
     "follow the rays of a scene from mirror to mirror",
@@ -241,4 +241,4 @@ extern const Verb orbit = {
     "  flatray orbit scenes/chamber/three_discs.toml --svg > orbit.svg\n",
     "nothing traced"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::orbit_verb

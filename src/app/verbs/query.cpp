@@ -13,7 +13,7 @@
 #include "base/parallel.h"
 #include "precise/certified_orbit.h"
 
-namespace flatray::verbs {
+namespace flatray::query_verb {
 namespace {
 
 struct Options : Arguments {
@@ -102,7 +102,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb query = {
+extern const Verb entry = {
     "query",
     "[FILE|-]",
     "answer geometry questions, one JSON object a line",
@@ -112,4 +112,4 @@ extern const Verb query = {
     "  flatray query questions.jsonl -j 2 > answers.jsonl\n",
     ""};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::query_verb

@@ -12,7 +12,7 @@
 #include "base/left_out.h"
 #include "base/number_text.h"
 
-namespace flatray::verbs {
+namespace flatray::render_verb {
 namespace {
 
 constexpr Word<ProgressMode> kProgress[] = {{"auto", ProgressMode::automatic},
@@ -171,7 +171,7 @@ Result<VerbOutput> run(const Options& given) {
 
 }  // namespace
 
-extern const Verb render = {
+extern const Verb entry = {
     "render",
     "SCENE...",
     "draw frames of scenes into picture files",
@@ -190,4 +190,4 @@ extern const Verb render = {
     nullptr,
     "frames written are whole, and the same command with --resume goes on"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::render_verb

@@ -2,7 +2,7 @@
 
 #include "app/verb.h"
 
-namespace flatray::verbs {
+namespace flatray::schema_verb {
 namespace {
 
 Result<VerbOutput> run(const NoOptions&) {
@@ -11,13 +11,13 @@ Result<VerbOutput> run(const NoOptions&) {
 
 }  // namespace
 
-extern const Verb schema = {"schema",
-                            "",
-                            "print the JSON Schema of scenes, by which editors check and complete",
-                            kCommand<NoOptions, &run>,
-                            "  flatray schema > scene.schema.json\n"
-                            "  first line of a scene, for Even Better TOML and taplo:\n"
-                            "  #:schema ./scene.schema.json\n",
-                            ""};
+extern const Verb entry = {"schema",
+                           "",
+                           "print the JSON Schema of scenes, by which editors check and complete",
+                           kCommand<NoOptions, &run>,
+                           "  flatray schema > scene.schema.json\n"
+                           "  first line of a scene, for Even Better TOML and taplo:\n"
+                           "  #:schema ./scene.schema.json\n",
+                           ""};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::schema_verb

@@ -13,7 +13,7 @@
 #include "study/stability/leaks.h"
 #include "study/stability/pair_stability.h"
 
-namespace flatray::verbs {
+namespace flatray::stability_verb {
 namespace {
 
 std::vector<std::string> family_names() { return names_of(oracle::families()); }
@@ -217,7 +217,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb stability = {
+extern const Verb entry = {
     "stability",
     "[SCENE]",
     "compare tracers and contacts with exact arithmetic on inputs made to be hard",
@@ -234,4 +234,4 @@ extern const Verb stability = {
     nullptr,
     kRowsKept};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::stability_verb

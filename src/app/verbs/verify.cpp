@@ -13,7 +13,7 @@
 #include "base/counted.h"
 #include "base/parallel.h"
 
-namespace flatray::verbs {
+namespace flatray::verify_verb {
 namespace {
 
 namespace fs = std::filesystem;
@@ -186,7 +186,7 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb verify = {
+extern const Verb entry = {
     "verify",
     "FOLDER...",
     "say whether frames, blocks and rows in a folder are as their records say; writes nothing",
@@ -195,4 +195,4 @@ extern const Verb verify = {
     "  flatray verify out/demo --json | jq '.results[].problems'\n",
     "nothing judged"};
 
-}  // namespace flatray::verbs
+}  // namespace flatray::verify_verb

@@ -7,7 +7,7 @@
 #include "image/png_chunks.h"
 #include "image/tile.h"
 
-namespace flatray::png_writer {
+namespace flatray::own_encoder {
 namespace {
 
 using Packed = std::vector<std::byte>;
@@ -119,8 +119,8 @@ Packed encode(const Image& image, unsigned threads, const RowsChanged& changed, 
 
 }  // namespace
 
-extern const PngWriter own = {
+extern const PngWriter entry = {
     "own", "in bands packed side by side, and kept where nothing changed; same bytes everywhere",
     &encode};
 
-}  // namespace flatray::png_writer
+}  // namespace flatray::own_encoder

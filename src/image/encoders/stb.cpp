@@ -34,7 +34,7 @@ unsigned char* pack(unsigned char* bytes, int size, int* packed_size, int) {
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb_image_write.h>
 
-namespace flatray::png_writer {
+namespace flatray::stb_encoder {
 namespace {
 
 void append(void* bytes, void* data, int size) {
@@ -53,7 +53,7 @@ std::vector<std::byte> encode(const Image& image, unsigned, const RowsChanged&, 
 
 }  // namespace
 
-extern const PngWriter stb = {
+extern const PngWriter entry = {
     "stb", "by stb_image_write, for builds without own: small, and slower", &encode};
 
-}  // namespace flatray::png_writer
+}  // namespace flatray::stb_encoder

@@ -1,8 +1,8 @@
 #include "image/metric.h"
 
-namespace flatray::metric {
+namespace flatray::max_metric {
 
-extern const Metric max =
+extern const Metric entry =
     of_difference<&Difference::worst>("max", "largest channel difference, levels or light");
 
-}  // namespace flatray::metric
+}  // namespace flatray::max_metric

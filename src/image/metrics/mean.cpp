@@ -1,8 +1,8 @@
 #include "image/metric.h"
 
-namespace flatray::metric {
+namespace flatray::mean_metric {
 
-extern const Metric mean =
+extern const Metric entry =
     of_difference<&Difference::mean>("mean", "mean absolute channel difference, levels or light");
 
-}  // namespace flatray::metric
+}  // namespace flatray::mean_metric

@@ -1,8 +1,8 @@
 #include "image/metric.h"
 
-namespace flatray::metric {
+namespace flatray::psnr_metric {
 
-extern const Metric psnr =
+extern const Metric entry =
     of_difference<&Difference::psnr>("psnr", "peak signal-to-noise ratio, dB; infinite when equal");
 
-}  // namespace flatray::metric
+}  // namespace flatray::psnr_metric

@@ -1,8 +1,8 @@
 #include "image/metric.h"
 
-namespace flatray::metric {
+namespace flatray::rmse_metric {
 
-extern const Metric rmse = of_difference<&Difference::rmse>(
+extern const Metric entry = of_difference<&Difference::rmse>(
     "rmse", "root of the mean squared channel difference, levels or light");
 
-}  // namespace flatray::metric
+}  // namespace flatray::rmse_metric

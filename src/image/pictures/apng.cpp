@@ -3,7 +3,7 @@
 #include "image/picture_format.h"
 #include "image/png_chunks.h"
 
-namespace flatray::picture {
+namespace flatray::apng_format {
 namespace {
 
 using Bytes = PictureFormat::Bytes;
@@ -48,7 +48,7 @@ Bytes part(std::span<const std::byte> picture, std::size_t index, const FrameSeq
 
 }  // namespace
 
-extern const PictureFormat apng = {
+extern const PictureFormat entry = {
     .name = "apng",
     .summary = "video as an animated PNG, which browsers show, for ever",
     .kind = "an animated PNG",
@@ -57,4 +57,4 @@ extern const PictureFormat apng = {
                      const RowsChanged& changed) { return encoder.encode(image, changed); },
     .part = &part};
 
-}  // namespace flatray::picture
+}  // namespace flatray::apng_format

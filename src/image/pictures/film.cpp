@@ -1,11 +1,11 @@
 #include "image/picture_format.h"
 
-namespace flatray::picture {
+namespace flatray::film_format {
 
-extern const PictureFormat film = {.name = "film",
-                                   .summary = "light of lamps, to which more rays can be added",
-                                   .kind = "a film",
-                                   .beginning = kFilmSignature,
-                                   .of_film = &encode_film};
+extern const PictureFormat entry = {.name = "film",
+                                    .summary = "light of lamps, to which more rays can be added",
+                                    .kind = "a film",
+                                    .beginning = kFilmSignature,
+                                    .of_film = &encode_film};
 
-}  // namespace flatray::picture
+}  // namespace flatray::film_format

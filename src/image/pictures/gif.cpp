@@ -1,6 +1,6 @@
 #include "image/y4m.h"
 
-namespace flatray::picture {
+namespace flatray::gif_format {
 namespace {
 
 // A palette a frame: colours of one frame, and no memory of all of them.
@@ -11,12 +11,12 @@ constexpr const char* kArguments[] = {"-vf", kPalettes, "-loop", "0", "-f", "gif
 
 }  // namespace
 
-extern const PictureFormat gif = {.name = "gif",
-                                  .summary = "video of 256 colours a frame, by ffmpeg; for ever",
-                                  .kind = "a GIF",
-                                  .beginning = "GIF8",
-                                  .of_picture = &y4m_picture,
-                                  .part = &y4m_part,
-                                  .by_ffmpeg = kArguments};
+extern const PictureFormat entry = {.name = "gif",
+                                    .summary = "video of 256 colours a frame, by ffmpeg; for ever",
+                                    .kind = "a GIF",
+                                    .beginning = "GIF8",
+                                    .of_picture = &y4m_picture,
+                                    .part = &y4m_part,
+                                    .by_ffmpeg = kArguments};
 
-}  // namespace flatray::picture
+}  // namespace flatray::gif_format

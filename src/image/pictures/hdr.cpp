@@ -2,9 +2,9 @@
 
 #include "image/picture_format.h"
 
-namespace flatray::picture {
+namespace flatray::hdr_format {
 
-extern const PictureFormat hdr = {
+extern const PictureFormat entry = {
     .name = "hdr",
     .summary = "light, as Radiance keeps it: 8 bits a channel and an exponent",
     .kind = "an HDR picture",
@@ -14,4 +14,4 @@ extern const PictureFormat hdr = {
       return decode_hdr(bytes, name);
     }};
 
-}  // namespace flatray::picture
+}  // namespace flatray::hdr_format

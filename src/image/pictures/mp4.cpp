@@ -1,6 +1,6 @@
 #include "image/y4m.h"
 
-namespace flatray::picture {
+namespace flatray::mp4_format {
 namespace {
 
 // Colours at half the size, as all players show; so sizes are even.
@@ -11,7 +11,7 @@ constexpr const char* kArguments[] = {
 
 }  // namespace
 
-extern const PictureFormat mp4 = {
+extern const PictureFormat entry = {
     .name = "mp4",
     .summary = "video as H.264, by ffmpeg: odd sizes get a black column or row more",
     .kind = "an MP4 video",
@@ -20,4 +20,4 @@ extern const PictureFormat mp4 = {
     .part = &y4m_part,
     .by_ffmpeg = kArguments};
 
-}  // namespace flatray::picture
+}  // namespace flatray::mp4_format

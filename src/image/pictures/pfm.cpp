@@ -2,13 +2,13 @@
 
 #include "image/picture_format.h"
 
-namespace flatray::picture {
+namespace flatray::pfm_format {
 
-extern const PictureFormat pfm = {.name = "pfm",
-                                  .summary = "light, every float as it is",
-                                  .kind = "a PFM picture",
-                                  .beginning = kPfmSignature,
-                                  .of_light = &encode_pfm,
-                                  .read_light = &decode_pfm};
+extern const PictureFormat entry = {.name = "pfm",
+                                    .summary = "light, every float as it is",
+                                    .kind = "a PFM picture",
+                                    .beginning = kPfmSignature,
+                                    .of_light = &encode_pfm,
+                                    .read_light = &decode_pfm};
 
-}  // namespace flatray::picture
+}  // namespace flatray::pfm_format

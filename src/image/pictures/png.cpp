@@ -1,8 +1,8 @@
 #include "image/picture_format.h"
 
-namespace flatray::picture {
+namespace flatray::png_format {
 
-extern const PictureFormat png = {
+extern const PictureFormat entry = {
     .name = "png",
     .summary = "8-bit values, as shown",
     .kind = "a PNG",
@@ -12,4 +12,4 @@ extern const PictureFormat png = {
     .read_picture = [](std::span<const std::byte> bytes,
                        const std::string& name) { return decode_png(bytes, name); }};
 
-}  // namespace flatray::picture
+}  // namespace flatray::png_format

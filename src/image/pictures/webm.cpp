@@ -1,6 +1,6 @@
 #include "image/y4m.h"
 
-namespace flatray::picture {
+namespace flatray::webm_format {
 namespace {
 
 constexpr const char* kArguments[] = {"-c:v", "libvpx-vp9", "-crf",    "24", "-b:v", "0", "-row-mt",
@@ -8,12 +8,12 @@ constexpr const char* kArguments[] = {"-c:v", "libvpx-vp9", "-crf",    "24", "-b
 
 }  // namespace
 
-extern const PictureFormat webm = {.name = "webm",
-                                   .summary = "video as VP9, by ffmpeg",
-                                   .kind = "a WebM video",
-                                   .beginning = "\x1a\x45\xdf\xa3",
-                                   .of_picture = &y4m_picture,
-                                   .part = &y4m_part,
-                                   .by_ffmpeg = kArguments};
+extern const PictureFormat entry = {.name = "webm",
+                                    .summary = "video as VP9, by ffmpeg",
+                                    .kind = "a WebM video",
+                                    .beginning = "\x1a\x45\xdf\xa3",
+                                    .of_picture = &y4m_picture,
+                                    .part = &y4m_part,
+                                    .by_ffmpeg = kArguments};
 
-}  // namespace flatray::picture
+}  // namespace flatray::webm_format

@@ -1,9 +1,9 @@
 #include "render/gl/renderer.h"
 
-namespace flatray {
+namespace flatray::egl_backend {
 
-extern const Backend egl_backend = {
+extern const Backend entry = {
     "egl", "OpenGL by software Mesa, through EGL without a surface",
     [](const BackendChoice& choice) { return gl::open_renderer("egl", choice); }};
 
-}  // namespace flatray
+}  // namespace flatray::egl_backend

@@ -1,9 +1,9 @@
 #include "render/gl/renderer.h"
 
-namespace flatray {
+namespace flatray::osmesa_backend {
 
-extern const Backend osmesa_backend = {
+extern const Backend entry = {
     "osmesa", "OpenGL by software Mesa, through OSMesa",
     [](const BackendChoice& choice) { return gl::open_renderer("osmesa", choice); }};
 
-}  // namespace flatray
+}  // namespace flatray::osmesa_backend

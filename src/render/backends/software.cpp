@@ -210,9 +210,12 @@ class SoftwareRenderer final : public Renderer {
 
 }  // namespace
 
-extern const Backend software_backend = {
+namespace software_backend {
+extern const Backend entry = {
     "software", "exact coverage; the same bytes on every machine", [](const BackendChoice&) {
       return Result<std::unique_ptr<Renderer>>(std::make_unique<SoftwareRenderer>());
     }};
+
+}  // namespace software_backend
 
 }  // namespace flatray

@@ -3,7 +3,7 @@
 #include "base/counted.h"
 #include "render/pass.h"
 
-namespace flatray {
+namespace flatray::bounding_boxes_pass {
 namespace {
 
 std::ptrdiff_t boxed(const Scene& scene) {
@@ -35,6 +35,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass bounding_boxes_pass = {"bounding_boxes", &need, &draw};
+extern const Pass entry = {"bounding_boxes", &need, &draw};
 
-}  // namespace flatray
+}  // namespace flatray::bounding_boxes_pass

@@ -1,7 +1,7 @@
 #include "base/counted.h"
 #include "render/pass.h"
 
-namespace flatray {
+namespace flatray::chambers_pass {
 namespace {
 
 Need need(const Scene& scene) {
@@ -28,6 +28,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass chambers_pass = {"chambers", &need, &draw};
+extern const Pass entry = {"chambers", &need, &draw};
 
-}  // namespace flatray
+}  // namespace flatray::chambers_pass

@@ -1,6 +1,6 @@
 #include "render/pass.h"
 
-namespace flatray {
+namespace flatray::contacts_pass {
 namespace {
 
 // Of the widths of the lines drawn.
@@ -90,6 +90,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass contacts_pass = {"contacts", &need, &draw};
+extern const Pass entry = {"contacts", &need, &draw};
 
-}  // namespace flatray
+}  // namespace flatray::contacts_pass

@@ -8,7 +8,7 @@
 #include "render/pass.h"
 #include "scene/outlines/outline.h"
 
-namespace flatray {
+namespace flatray::edge_rays_pass {
 namespace {
 
 constexpr double kInsideWidths = 3;  // the inside part, against the rest of the ray
@@ -113,6 +113,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass edge_rays_pass = {"edge_rays", &need, &draw};
+extern const Pass entry = {"edge_rays", &need, &draw};
 
-}  // namespace flatray
+}  // namespace flatray::edge_rays_pass

@@ -1,7 +1,7 @@
 #include "base/counted.h"
 #include "render/pass.h"
 
-namespace flatray {
+namespace flatray::entities_pass {
 namespace {
 
 Need need(const Scene& scene) {
@@ -24,6 +24,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass entities_pass = {"entities", &need, &draw};
+extern const Pass entry = {"entities", &need, &draw};
 
-}  // namespace flatray
+}  // namespace flatray::entities_pass

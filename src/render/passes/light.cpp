@@ -3,7 +3,7 @@
 #include "render/pass.h"
 #include "scene/lamp.h"
 
-namespace flatray {
+namespace flatray::light_pass {
 namespace {
 
 Need need(const Scene& scene) {
@@ -32,6 +32,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass light_pass = {"light", &need, &draw};
+extern const Pass entry = {"light", &need, &draw};
 
-}  // namespace flatray
+}  // namespace flatray::light_pass

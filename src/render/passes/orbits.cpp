@@ -10,7 +10,7 @@
 #include "scene/outlines/easy_font.h"
 #include "transport/moving_orbit.h"
 
-namespace flatray {
+namespace flatray::orbits_pass {
 namespace {
 
 // Marks are this many times as wide as the line they stand on.
@@ -196,6 +196,6 @@ void draw_all(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass orbits_pass = {"orbits", &need, &draw_all};
+extern const Pass entry = {"orbits", &need, &draw_all};
 
-}  // namespace flatray
+}  // namespace flatray::orbits_pass

@@ -1,6 +1,6 @@
 #include "render/view.h"
 
-namespace flatray::views_of {
+namespace flatray::depth_view {
 namespace {
 
 class Depth : public ViewRows {
@@ -21,8 +21,8 @@ class Depth : public ViewRows {
 
 }  // namespace
 
-extern const View depth = {
+extern const View entry = {
     "depth", "how far it is to the first wall on the right: near is white, a film's width black",
     false, false, &make_rows<Depth>};
 
-}  // namespace flatray::views_of
+}  // namespace flatray::depth_view

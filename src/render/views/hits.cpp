@@ -2,7 +2,7 @@
 
 #include "render/view.h"
 
-namespace flatray::views_of {
+namespace flatray::hits_view {
 namespace {
 
 // A colour for each object: the hue goes round by the golden ratio, so that neighbours differ.
@@ -45,7 +45,7 @@ class Hits : public ViewRows {
 
 }  // namespace
 
-extern const View hits = {"hits", "the nearest object to the right of each pixel, by colour", false,
-                          false, &make_rows<Hits>};
+extern const View entry = {"hits", "the nearest object to the right of each pixel, by colour",
+                           false, false, &make_rows<Hits>};
 
-}  // namespace flatray::views_of
+}  // namespace flatray::hits_view

@@ -4,7 +4,7 @@
 #include "render/row_lengths.h"
 #include "render/view.h"
 
-namespace flatray::views_of {
+namespace flatray::intervals_view {
 namespace {
 
 // Whether the grey of a length stays the same where it is off by `error`. That of a picture is a
@@ -72,8 +72,8 @@ class Intervals : public ViewRows {
 
 }  // namespace
 
-extern const View intervals = {"intervals",
-                               "how much of the way to the right lies inside shapes: none is white",
-                               false, true, &make_rows<Intervals>};
+extern const View entry = {"intervals",
+                           "how much of the way to the right lies inside shapes: none is white",
+                           false, true, &make_rows<Intervals>};
 
-}  // namespace flatray::views_of
+}  // namespace flatray::intervals_view

@@ -3,7 +3,7 @@
 #include "geom/clip_range.h"
 #include "render/view.h"
 
-namespace flatray::views_of {
+namespace flatray::visibility_view {
 namespace {
 
 // Whether a curve the point lies on stands between it and the tip of the ray, which crosses it again.
@@ -72,8 +72,8 @@ class Visibility : public ViewRows {
 
 }  // namespace
 
-extern const View visibility = {"visibility",
-                                "what a point at x,y lights; one on a wall, both its sides", true,
-                                false, &make_rows<Visibility>};
+extern const View entry = {"visibility",
+                           "what a point at x,y lights; one on a wall, both its sides", true, false,
+                           &make_rows<Visibility>};
 
-}  // namespace flatray::views_of
+}  // namespace flatray::visibility_view

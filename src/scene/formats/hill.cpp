@@ -8,7 +8,7 @@
 #include "scene/reading/made_values.h"
 #include "scene/reading/numbers.h"
 
-namespace flatray::scene_formats {
+namespace flatray::hill_format {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
@@ -157,9 +157,9 @@ constexpr std::string_view kExtensions[] = {"chamber"};
 
 }  // namespace
 
-extern const Format hill = {
+extern const Format entry = {
     "hill",      "Hill's chamber: a count, then for each pillar sides r g b and its vertices",
     kExtensions, &recognises,
     &read,       nullptr};
 
-}  // namespace flatray::scene_formats
+}  // namespace flatray::hill_format

@@ -6,7 +6,7 @@
 #include "scene/reading/format.h"
 #include "scene/reading/json_value.h"
 
-namespace flatray::scene_formats {
+namespace flatray::hqz_format {
 namespace {
 
 // Bytes of each scene: the whole text, or, where its first line is a scene by itself, each line.
@@ -68,8 +68,9 @@ constexpr std::string_view kExtensions[] = {"json"};
 
 }  // namespace
 
-extern const Format hqz = {"hqz",       "a scene of High Quality Zen in JSON, or one in each line",
-                           kExtensions, &recognises,
-                           &read,       nullptr};
+extern const Format entry = {
+    "hqz",       "a scene of High Quality Zen in JSON, or one in each line",
+    kExtensions, &recognises,
+    &read,       nullptr};
 
-}  // namespace flatray::scene_formats
+}  // namespace flatray::hqz_format

@@ -6,7 +6,7 @@
 #include "scene/reading/made_values.h"
 #include "scene/reading/numbers.h"
 
-namespace flatray::scene_formats {
+namespace flatray::list_format {
 namespace {
 
 // The paper's block: every object is a box of this size, its lower left corner at the pixel given.
@@ -116,8 +116,8 @@ constexpr std::string_view kExtensions[] = {"txt", "list"};
 
 }  // namespace
 
-extern const Format list = {"list",      "the paper's object list: a line { NAME, x, y } each",
-                            kExtensions, &recognises,
-                            &read,       nullptr};
+extern const Format entry = {"list",      "the paper's object list: a line { NAME, x, y } each",
+                             kExtensions, &recognises,
+                             &read,       nullptr};
 
-}  // namespace flatray::scene_formats
+}  // namespace flatray::list_format

@@ -7,7 +7,7 @@
 #include "scene/reading/made_values.h"
 #include "scene/reading/vocabulary.h"
 
-namespace flatray::scene_formats {
+namespace flatray::obj_format {
 namespace {
 
 // Where the vertices go before any decision is made about them, so that decisions are about the
@@ -145,8 +145,8 @@ constexpr std::string_view kExtensions[] = {"obj", "obj2d"};
 
 }  // namespace
 
-extern const Format obj = {"obj",       "Wavefront OBJ and obj2d: v, f, l; z is dropped",
-                           kExtensions, &recognises,
-                           &read,       &outline};
+extern const Format entry = {"obj",       "Wavefront OBJ and obj2d: v, f, l; z is dropped",
+                             kExtensions, &recognises,
+                             &read,       &outline};
 
-}  // namespace flatray::scene_formats
+}  // namespace flatray::obj_format

@@ -9,7 +9,7 @@
 #include "scene/reading/format.h"
 #include "scene/reading/toml_scan.h"
 
-namespace flatray::scene_formats {
+namespace flatray::toml_format {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
@@ -222,7 +222,7 @@ constexpr std::string_view kExtensions[] = {"toml"};
 
 }  // namespace
 
-extern const Format toml = {
+extern const Format entry = {
     "toml", "flatray's own scenes: docs/SCENE_FORMAT.md", kExtensions, &recognises, &read, nullptr};
 
-}  // namespace flatray::scene_formats
+}  // namespace flatray::toml_format

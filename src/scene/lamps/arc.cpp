@@ -8,7 +8,7 @@
 #include "scene/lambert.h"
 #include "scene/lamp.h"
 
-namespace flatray::lamps {
+namespace flatray::arc_lamp {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
@@ -58,7 +58,7 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 
 }  // namespace
 
-extern const LampType arc = {
+extern const LampType entry = {
     "arc", "an arc that shines outward, as a matt surface does", kKeys, 2, &build, LampSeen::line};
 
-}  // namespace flatray::lamps
+}  // namespace flatray::arc_lamp

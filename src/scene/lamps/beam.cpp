@@ -2,7 +2,7 @@
 
 #include "scene/lamp.h"
 
-namespace flatray::lamps {
+namespace flatray::beam_lamp {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"width", "number or a curve", kRequired}};
@@ -26,7 +26,7 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 
 }  // namespace
 
-extern const LampType beam = {"beam",          "parallel rays side by side", kKeys, 1, &build,
-                              LampSeen::points};
+extern const LampType entry = {"beam",          "parallel rays side by side", kKeys, 1, &build,
+                               LampSeen::points};
 
-}  // namespace flatray::lamps
+}  // namespace flatray::beam_lamp

@@ -6,7 +6,7 @@
 #include "geom/turn.h"
 #include "scene/lamp.h"
 
-namespace flatray::lamps {
+namespace flatray::cone_lamp {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"spread", "degrees or a curve", kRequired}};
@@ -40,8 +40,8 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 
 }  // namespace
 
-extern const LampType cone = {"cone", "a point that shines alike in all directions of a cone",
-                              kKeys,  1,
-                              &build, LampSeen::points};
+extern const LampType entry = {"cone", "a point that shines alike in all directions of a cone",
+                               kKeys,  1,
+                               &build, LampSeen::points};
 
-}  // namespace flatray::lamps
+}  // namespace flatray::cone_lamp

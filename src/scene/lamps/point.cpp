@@ -4,7 +4,7 @@
 #include "geom/turn.h"
 #include "scene/lamp.h"
 
-namespace flatray::lamps {
+namespace flatray::point_lamp {
 namespace {
 
 class AllAround : public Emitter {
@@ -22,7 +22,7 @@ Result<std::unique_ptr<const Emitter>> build(Args&) { return std::make_unique<Al
 
 }  // namespace
 
-extern const LampType point = {
+extern const LampType entry = {
     "point", "a point that shines alike in all directions", {}, 1, &build, LampSeen::points};
 
-}  // namespace flatray::lamps
+}  // namespace flatray::point_lamp

@@ -3,7 +3,7 @@
 #include "geom/turn.h"
 #include "scene/lamp.h"
 
-namespace flatray::lamps {
+namespace flatray::ranges_lamp {
 namespace {
 
 constexpr const char* kTakes = "number, [low, high] or a curve";
@@ -54,8 +54,8 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 
 }  // namespace
 
-extern const LampType ranges = {"ranges",
-                                "every number of a start is drawn evenly from a range of its own",
-                                kKeys, kCount, &build};
+extern const LampType entry = {"ranges",
+                               "every number of a start is drawn evenly from a range of its own",
+                               kKeys, kCount, &build};
 
-}  // namespace flatray::lamps
+}  // namespace flatray::ranges_lamp

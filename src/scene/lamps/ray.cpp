@@ -1,6 +1,6 @@
 #include "scene/lamp.h"
 
-namespace flatray::lamps {
+namespace flatray::ray_lamp {
 namespace {
 
 class OneRay : public Emitter {
@@ -12,6 +12,6 @@ Result<std::unique_ptr<const Emitter>> build(Args&) { return std::make_unique<On
 
 }  // namespace
 
-extern const LampType ray = {"ray", "one ray without width", {}, 0, &build};
+extern const LampType entry = {"ray", "one ray without width", {}, 0, &build};
 
-}  // namespace flatray::lamps
+}  // namespace flatray::ray_lamp

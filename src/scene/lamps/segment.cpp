@@ -3,7 +3,7 @@
 #include "scene/lambert.h"
 #include "scene/lamp.h"
 
-namespace flatray::lamps {
+namespace flatray::segment_lamp {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
@@ -45,9 +45,9 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 
 }  // namespace
 
-extern const LampType segment = {
+extern const LampType entry = {
     "segment", "a straight line that shines to its left, as a matt surface does",
     kKeys,     2,
     &build,    LampSeen::line};
 
-}  // namespace flatray::lamps
+}  // namespace flatray::segment_lamp

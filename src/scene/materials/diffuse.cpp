@@ -1,6 +1,6 @@
 #include "scene/material.h"
 
-namespace flatray::materials {
+namespace flatray::diffuse_material {
 namespace {
 
 Result<std::unique_ptr<const Scatterer>> build(Args& args) {
@@ -10,7 +10,7 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
 
 }  // namespace
 
-extern const MaterialType diffuse = {"diffuse", "matt: looks alike from all sides",
-                                     kReflectanceKeys, &build};
+extern const MaterialType entry = {"diffuse", "matt: looks alike from all sides", kReflectanceKeys,
+                                   &build};
 
-}  // namespace flatray::materials
+}  // namespace flatray::diffuse_material

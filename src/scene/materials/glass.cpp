@@ -6,7 +6,7 @@
 #include "geom/refract.h"
 #include "scene/material.h"
 
-namespace flatray::materials {
+namespace flatray::glass_material {
 namespace {
 
 constexpr double kYellow_nm = 589.3;  // at which indices are told
@@ -73,9 +73,9 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
 
 }  // namespace
 
-extern const MaterialType glass = {
+extern const MaterialType entry = {
     "glass",
     "refracts and reflects as a body does, clear or tinted; colours apart where it has dispersion",
     kKeys, &build};
 
-}  // namespace flatray::materials
+}  // namespace flatray::glass_material

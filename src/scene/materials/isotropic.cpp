@@ -1,6 +1,6 @@
 #include "scene/material.h"
 
-namespace flatray::materials {
+namespace flatray::isotropic_material {
 namespace {
 
 Result<std::unique_ptr<const Scatterer>> build(Args& args) {
@@ -10,7 +10,7 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
 
 }  // namespace
 
-extern const MaterialType isotropic = {
-    "isotropic", "scatters alike into all directions, on both sides", kReflectanceKeys, &build};
+extern const MaterialType entry = {"isotropic", "scatters alike into all directions, on both sides",
+                                   kReflectanceKeys, &build};
 
-}  // namespace flatray::materials
+}  // namespace flatray::isotropic_material

@@ -1,6 +1,6 @@
 #include "scene/material.h"
 
-namespace flatray::materials {
+namespace flatray::mirror_material {
 namespace {
 
 Result<std::unique_ptr<const Scatterer>> build(Args& args) {
@@ -10,7 +10,7 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
 
 }  // namespace
 
-extern const MaterialType mirror = {"mirror", "reflects, and may swallow a part or tint it",
-                                    kReflectanceKeys, &build};
+extern const MaterialType entry = {"mirror", "reflects, and may swallow a part or tint it",
+                                   kReflectanceKeys, &build};
 
-}  // namespace flatray::materials
+}  // namespace flatray::mirror_material

@@ -3,7 +3,7 @@
 #include "geom/turn.h"
 #include "scene/material.h"
 
-namespace flatray::materials {
+namespace flatray::mix_material {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"diffuse", "number", "0"},
@@ -70,8 +70,8 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
 
 }  // namespace
 
-extern const MaterialType mix = {
+extern const MaterialType entry = {
     "mix", "parts of the light are scattered, mirrored or let through; the rest is absorbed", kKeys,
     &build};
 
-}  // namespace flatray::materials
+}  // namespace flatray::mix_material

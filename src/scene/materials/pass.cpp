@@ -1,6 +1,6 @@
 #include "scene/material.h"
 
-namespace flatray::materials {
+namespace flatray::pass_material {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"transmittance", "number", "1"},
@@ -13,6 +13,6 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
 
 }  // namespace
 
-extern const MaterialType pass = {"pass", "lets light through, as a filter does", kKeys, &build};
+extern const MaterialType entry = {"pass", "lets light through, as a filter does", kKeys, &build};
 
-}  // namespace flatray::materials
+}  // namespace flatray::pass_material

@@ -1,7 +1,7 @@
 #include "scene/outlines/arcs.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::arc_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
@@ -20,6 +20,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType arc = {"arc", kKeys, &build};
+extern const ShapeType entry = {"arc", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::arc_shape

@@ -2,7 +2,7 @@
 
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::bezier_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"points", "[[x, y] or a curve, ...]", kRequired},
@@ -31,6 +31,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType bezier = {"bezier", kKeys, &build};
+extern const ShapeType entry = {"bezier", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::bezier_shape

@@ -1,7 +1,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::box_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"min", "[x, y] or a curve", kRequired},
@@ -21,6 +21,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType box = {"box", kKeys, &build};
+extern const ShapeType entry = {"box", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::box_shape

@@ -1,7 +1,7 @@
 #include "scene/outlines/arcs.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::capsule_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
@@ -29,6 +29,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType capsule = {"capsule", kKeys, &build};
+extern const ShapeType entry = {"capsule", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::capsule_shape

@@ -4,7 +4,7 @@
 #include "geom/predicates.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::cell_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"a", "[x, y] or a curve", kRequired},
@@ -60,6 +60,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType cell = {"cell", kKeys, &build};
+extern const ShapeType entry = {"cell", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::cell_shape

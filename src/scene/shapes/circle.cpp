@@ -3,7 +3,7 @@
 #include "base/number_text.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::circle_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
@@ -22,6 +22,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType circle = {"circle", kKeys, &build};
+extern const ShapeType entry = {"circle", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::circle_shape

@@ -5,7 +5,7 @@
 #include "geom/primitives/bezier.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::conic_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"vertex", "[x, y] or a curve", kRequired},
@@ -48,6 +48,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType conic = {"conic", kKeys, &build};
+extern const ShapeType entry = {"conic", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::conic_shape

@@ -4,7 +4,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::convex_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"points", "[[x, y] or a curve, ...]", kRequired}};
@@ -29,6 +29,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType convex = {"convex", kKeys, &build};
+extern const ShapeType entry = {"convex", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::convex_shape

@@ -1,7 +1,7 @@
 #include "scene/outlines/arcs.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::ellipse_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"radii", "[a, b] or a curve", kRequired},
@@ -21,6 +21,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType ellipse = {"ellipse", kKeys, &build};
+extern const ShapeType entry = {"ellipse", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::ellipse_shape

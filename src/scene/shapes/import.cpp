@@ -3,7 +3,7 @@
 #include "scene/reading/format.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::import_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"file", "\"outline.obj\"", kRequired},
@@ -39,6 +39,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType import = {"import", kKeys, &build};
+extern const ShapeType entry = {"import", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::import_shape

@@ -5,7 +5,7 @@
 #include "scene/outlines/arcs.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::lens_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"height", "number or a curve", kRequired},
@@ -61,6 +61,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType lens = {"lens", kKeys, &build};
+extern const ShapeType entry = {"lens", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::lens_shape

@@ -1,7 +1,7 @@
 #include "scene/outlines/arcs.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::mushroom_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
@@ -26,6 +26,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType mushroom = {"mushroom", kKeys, &build};
+extern const ShapeType entry = {"mushroom", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::mushroom_shape

@@ -3,7 +3,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::ngon_shape {
 namespace {
 
 constexpr std::int64_t kMostSides = 10'000;
@@ -30,6 +30,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType ngon = {"ngon", kKeys, &build};
+extern const ShapeType entry = {"ngon", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::ngon_shape

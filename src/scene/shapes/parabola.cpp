@@ -1,7 +1,7 @@
 #include "geom/primitives/bezier.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::parabola_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"vertex", "[x, y] or a curve", kRequired},
@@ -30,6 +30,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType parabola = {"parabola", kKeys, &build};
+extern const ShapeType entry = {"parabola", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::parabola_shape

@@ -1,7 +1,7 @@
 #include "scene/outlines/arcs.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::penrose_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"size", "number or a curve", kRequired},
@@ -35,6 +35,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType penrose = {"penrose", kKeys, &build};
+extern const ShapeType entry = {"penrose", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::penrose_shape

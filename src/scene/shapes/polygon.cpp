@@ -3,7 +3,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::polygon_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"points", "[[x, y] or a curve, ...]", kRequired},
@@ -36,6 +36,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType polygon = {"polygon", kKeys, &build};
+extern const ShapeType entry = {"polygon", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::polygon_shape

@@ -1,7 +1,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::polyline_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"points", "[[x, y] or a curve, ...]", kRequired},
@@ -20,6 +20,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType polyline = {"polyline", kKeys, &build};
+extern const ShapeType entry = {"polyline", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::polyline_shape

@@ -1,7 +1,7 @@
 #include "scene/outlines/arcs.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::sector_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
@@ -31,6 +31,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType sector = {"sector", kKeys, &build};
+extern const ShapeType entry = {"sector", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::sector_shape

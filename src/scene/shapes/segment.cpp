@@ -1,7 +1,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::segment_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
@@ -19,6 +19,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType segment = {"segment", kKeys, &build};
+extern const ShapeType entry = {"segment", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::segment_shape

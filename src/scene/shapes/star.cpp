@@ -2,7 +2,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::star_shape {
 namespace {
 
 constexpr std::int64_t kMostPoints = 1000;
@@ -30,6 +30,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType star = {"star", kKeys, &build};
+extern const ShapeType entry = {"star", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::star_shape

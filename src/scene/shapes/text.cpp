@@ -3,7 +3,7 @@
 #include "scene/outlines/easy_font.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::text_shape {
 namespace {
 
 enum class Align { left, centre, right };
@@ -57,6 +57,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType text = {"text", kKeys, &build};
+extern const ShapeType entry = {"text", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::text_shape

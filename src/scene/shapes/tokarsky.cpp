@@ -1,7 +1,7 @@
 #include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
-namespace flatray::shapes {
+namespace flatray::tokarsky_shape {
 namespace {
 
 constexpr KeyInfo kKeys[] = {{"size", "number or a curve", kRequired},
@@ -31,6 +31,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType tokarsky = {"tokarsky", kKeys, &build};
+extern const ShapeType entry = {"tokarsky", kKeys, &build};
 
-}  // namespace flatray::shapes
+}  // namespace flatray::tokarsky_shape

@@ -3,7 +3,7 @@
 #include "collide/edge_ray_meetings.h"
 #include "study/stability/pair_scene.h"
 
-namespace flatray::choice_entries {
+namespace flatray::contact_choice {
 namespace {
 
 using Method = Result<std::vector<Meeting>> (*)(const Timeline& timeline, unsigned last_frame);
@@ -34,7 +34,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice contact = {"contact", "What does it cost to know who meets?",
-                               ErrorKind::discretisation, &no_pairs, &settings};
+extern const Choice entry = {"contact", "What does it cost to know who meets?",
+                             ErrorKind::discretisation, &no_pairs, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::contact_choice

@@ -12,7 +12,7 @@
 #include "study/accuracy/linear_error.h"
 #include "study/accuracy/point_samples.h"
 
-namespace flatray::choice_entries {
+namespace flatray::coverage_choice {
 namespace {
 
 constexpr std::array kTruthSides = {16, 12, 8, 6, 4};  // of a grid of samples
@@ -147,8 +147,8 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice coverage = {"coverage",
-                                "What does it cost to know how much of a pixel a thing covers?",
-                                ErrorKind::discretisation, &left_out, &settings};
+extern const Choice entry = {"coverage",
+                             "What does it cost to know how much of a pixel a thing covers?",
+                             ErrorKind::discretisation, &left_out, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::coverage_choice

@@ -11,7 +11,7 @@
 #include "study/plots/palette.h"
 #include "study/rooms/pixel_map.h"
 
-namespace flatray::choice_entries {
+namespace flatray::depth_choice {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -136,7 +136,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice depth = {"depth", "After how many bounces is it known where orbits end?",
+extern const Choice entry = {"depth", "After how many bounces is it known where orbits end?",
                              ErrorKind::truncation, &left_out, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::depth_choice

@@ -6,7 +6,7 @@
 #include "study/accuracy/accuracy.h"
 #include "study/accuracy/linear_error.h"
 
-namespace flatray::choice_entries {
+namespace flatray::flattening_choice {
 namespace {
 
 constexpr double kTruthSagitta = 0x1p-18, kDoubtSagitta = 0x1p-16;  // px
@@ -111,7 +111,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice flattening = {"flattening", "What would it cost to draw curves as polygons?",
-                                  ErrorKind::discretisation, &left_out, &settings};
+extern const Choice entry = {"flattening", "What would it cost to draw curves as polygons?",
+                             ErrorKind::discretisation, &left_out, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::flattening_choice

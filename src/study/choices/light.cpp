@@ -15,7 +15,7 @@
 #include "study/rooms/pixel_map.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::choice_entries {
+namespace flatray::light_choice {
 namespace {
 
 constexpr int kSide = 128;           // pixels of the longer side of the film
@@ -156,7 +156,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice light = {"light", "How many rays of light, by which sampler and which way?",
+extern const Choice entry = {"light", "How many rays of light, by which sampler and which way?",
                              ErrorKind::sampling, &left_out, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::light_choice

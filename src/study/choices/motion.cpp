@@ -3,7 +3,7 @@
 #include "collide/broad_phase.h"
 #include "study/stability/pair_scene.h"
 
-namespace flatray::choice_entries {
+namespace flatray::motion_choice {
 namespace {
 
 // Who overlaps at one instant: nothing moves while it is looked at.
@@ -52,7 +52,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice motion = {"motion", "What does it cost not to miss what meets between frames?",
-                              ErrorKind::discretisation, &no_pairs, &settings};
+extern const Choice entry = {"motion", "What does it cost not to miss what meets between frames?",
+                             ErrorKind::discretisation, &no_pairs, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::motion_choice

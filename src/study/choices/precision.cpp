@@ -12,7 +12,7 @@
 #include "study/accuracy/accuracy.h"
 #include "study/rooms/room.h"
 
-namespace flatray::choice_entries {
+namespace flatray::precision_choice {
 namespace {
 
 // Orbits in doubles or certified, each beside one in many bits.
@@ -158,7 +158,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice precision = {"precision", "What does it cost to know where an orbit is?",
-                                 ErrorKind::rounding, &left_out, &settings};
+extern const Choice entry = {"precision", "What does it cost to know where an orbit is?",
+                             ErrorKind::rounding, &left_out, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::precision_choice

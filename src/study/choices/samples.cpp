@@ -9,7 +9,7 @@
 #include "study/rooms/room.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::choice_entries {
+namespace flatray::samples_choice {
 namespace {
 
 constexpr std::uint64_t kSeeds = 16;
@@ -89,8 +89,8 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice samples = {"samples",
-                               "What does it cost to know a mean by orbits of drawn starts?",
-                               ErrorKind::sampling, &left_out, &settings};
+extern const Choice entry = {"samples",
+                             "What does it cost to know a mean by orbits of drawn starts?",
+                             ErrorKind::sampling, &left_out, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::samples_choice

@@ -12,7 +12,7 @@
 #include "study/accuracy/accuracy.h"
 #include "study/rooms/starts.h"
 
-namespace flatray::choice_entries {
+namespace flatray::tracer_choice {
 namespace {
 
 constexpr std::uint64_t kRays = 20'000, kFewRays = 200, kFirstRays = 20;
@@ -104,7 +104,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-extern const Choice tracer = {"tracer", "What does it cost to find the right wall?",
-                              ErrorKind::rounding, &left_out, &settings};
+extern const Choice entry = {"tracer", "What does it cost to find the right wall?",
+                             ErrorKind::rounding, &left_out, &settings};
 
-}  // namespace flatray::choice_entries
+}  // namespace flatray::tracer_choice

@@ -12,7 +12,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::avoidance_experiment {
 namespace {
 
 constexpr int kTenths = 10;
@@ -137,10 +137,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment avoidance = {
+extern const Experiment entry = {
     "avoidance",
     "Which velocities of the first entity meet nothing, and when do the others?",
     &run,
     {.resume = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::avoidance_experiment

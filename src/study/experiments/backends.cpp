@@ -10,7 +10,7 @@
 #include "study/accuracy/point_samples.h"
 #include "study/experiment.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::backends_experiment {
 namespace {
 
 class Study {
@@ -85,10 +85,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment backends = {
+extern const Experiment entry = {
     "backends",
     "Do GL pictures differ from exact ones by more than their samples allow?",
     &run,
     {.field = true, .glass = true}};  // what bends or splits rays is drawn like all else
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::backends_experiment

@@ -11,7 +11,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::caustic_experiment {
 namespace {
 
 constexpr std::uint64_t kBounces = 10'000;
@@ -164,10 +164,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment caustic = {
+extern const Experiment entry = {
     "caustic",
     "What do the lines of a path leave free, and how sharp is its edge?",
     &run,
     {.bounces = true, .seed = true, .resume = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::caustic_experiment

@@ -9,7 +9,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::coverage_experiment {
 namespace {
 
 constexpr std::uint64_t kBounces = 10'000;
@@ -113,9 +113,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment coverage = {"coverage",
-                                    "How much of the room does one path cross?",
-                                    &run,
-                                    {.bounces = true, .seed = true, .resume = true}};
+extern const Experiment entry = {"coverage",
+                                 "How much of the room does one path cross?",
+                                 &run,
+                                 {.bounces = true, .seed = true, .resume = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::coverage_experiment

@@ -15,7 +15,7 @@
 #include "study/statistics/line_fit.h"
 #include "transport/reflection.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::divergence_experiment {
 namespace {
 
 constexpr std::uint64_t kBounces = 200;
@@ -181,10 +181,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment divergence = {
+extern const Experiment entry = {
     "divergence",
     "How soon do near orbits part, and until when do doubles know better?",
     &run,
     {.bounces = true, .apart = true, .seed = true, .starts = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::divergence_experiment

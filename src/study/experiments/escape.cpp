@@ -10,7 +10,7 @@
 #include "study/rooms/exits.h"
 #include "study/rooms/followed.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::escape_experiment {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -225,7 +225,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment escape = {
+extern const Experiment entry = {
     "escape",
     "Where does a ray from each pixel leave, and after how many bounces?",
     &run,
@@ -239,4 +239,4 @@ extern const Experiment escape = {
      .conditional = true,
      .glass = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::escape_experiment

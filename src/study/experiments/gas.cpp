@@ -10,7 +10,7 @@
 #include "scene/responses.h"
 #include "study/statistics/stretches.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::gas_experiment {
 namespace {
 
 // What rounding may come to: an event makes and adds two velocities, each to some units in the last
@@ -201,10 +201,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment gas = {
+extern const Experiment entry = {
     "gas",
     "What do a million elastic bounces leave of the energy, and do bodies stay apart?",
     &run,
     {.count = true, .seed = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::gas_experiment

@@ -13,7 +13,7 @@
 #include "study/rooms/wall_places.h"
 #include "study/statistics/blocks.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::lyapunov_experiment {
 namespace {
 
 constexpr std::uint64_t kBounces = 1000;  // of one orbit
@@ -228,8 +228,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment lyapunov = {"lyapunov",
-                                    "How fast do two orbits part that start next to each other?",
-                                    &run, kUsesOfOrbitMeans};
+extern const Experiment entry = {"lyapunov",
+                                 "How fast do two orbits part that start next to each other?", &run,
+                                 kUsesOfOrbitMeans};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::lyapunov_experiment

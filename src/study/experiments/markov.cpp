@@ -10,7 +10,7 @@
 #include "study/statistics/absorption.h"
 #include "study/statistics/chain_walks.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::markov_experiment {
 namespace {
 
 constexpr double kSigmas = 4;                  // by which an observation may miss what is expected
@@ -201,10 +201,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment markov = {
+extern const Experiment entry = {
     "markov",
     "How many steps does each chain take to its end, and do its draws keep to it?",
     &run,
     {.count = true, .seed = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::markov_experiment

@@ -10,7 +10,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/streaming_histogram.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::mean_free_path_experiment {
 namespace {
 
 constexpr std::uint64_t kBounces =
@@ -128,8 +128,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment mean_free_path = {
-    "mean-free-path", "How far does a ray fly between two walls, and is that pi A / P?", &run,
-    kUsesOfOrbitMeans};
+extern const Experiment entry = {"mean-free-path",
+                                 "How far does a ray fly between two walls, and is that pi A / P?",
+                                 &run, kUsesOfOrbitMeans};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::mean_free_path_experiment

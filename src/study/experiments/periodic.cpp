@@ -15,7 +15,7 @@
 #include "study/periodic/words.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::periodic_experiment {
 namespace {
 
 constexpr std::uint64_t kUsualSymbols = 6;
@@ -284,10 +284,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment periodic = {
+extern const Experiment entry = {
     "periodic",
     "Which orbits close, by the walls in order, and what do they say of the room?",
     &run,
     {.symbols = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::periodic_experiment

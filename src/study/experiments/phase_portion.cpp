@@ -8,7 +8,7 @@
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::phase_portion_experiment {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 8;
@@ -78,7 +78,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment phase_portion = {
-    "phase-portion", "How much of phase space does one orbit come to?", &run, kUsesOfOrbitMeans};
+extern const Experiment entry = {"phase-portion", "How much of phase space does one orbit come to?",
+                                 &run, kUsesOfOrbitMeans};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::phase_portion_experiment

@@ -12,7 +12,7 @@
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/stretches.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::poincare_experiment {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 64;
@@ -256,8 +256,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment poincare = {"poincare",
-                                    "Where along the walls do orbits bounce, and at which angles?",
-                                    &run, kUsesOfOrbitMeans};
+extern const Experiment entry = {"poincare",
+                                 "Where along the walls do orbits bounce, and at which angles?",
+                                 &run, kUsesOfOrbitMeans};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::poincare_experiment

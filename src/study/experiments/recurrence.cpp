@@ -9,7 +9,7 @@
 #include "study/rooms/followed.h"
 #include "study/rooms/survival.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::recurrence_experiment {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -146,10 +146,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment recurrence = {
+extern const Experiment entry = {
     "recurrence",
     "After how long does what sets off from the holes of a room come back to them?",
     &run,
     {.count = true, .bounces = true, .seed = true, .resume = true, .precision = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::recurrence_experiment

@@ -7,7 +7,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::reflections_experiment {
 namespace {
 
 // Usual limits: of a map in a room that keeps every ray; of a ray, and of one in a wedge, which
@@ -89,10 +89,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment reflections = {
-    "reflections",
-    "How often is a ray reflected, from every pixel and of every ray?",
-    &run,
-    {.bounces = true, .map = true, .resume = true}};
+extern const Experiment entry = {"reflections",
+                                 "How often is a ray reflected, from every pixel and of every ray?",
+                                 &run,
+                                 {.bounces = true, .map = true, .resume = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::reflections_experiment

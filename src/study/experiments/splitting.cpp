@@ -14,7 +14,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::splitting_experiment {
 namespace {
 
 // Of every eight groups the last turns its clones three times as far: what turning changes grows
@@ -298,7 +298,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment splitting = {
+extern const Experiment entry = {
     "splitting",
     "How many orbits are left in an open room when a plain ensemble sees none?",
     &run,
@@ -309,4 +309,4 @@ extern const Experiment splitting = {
      .resume = true,
      .precision = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::splitting_experiment

@@ -13,7 +13,7 @@
 #include "study/statistics/line_fit.h"
 #include "study/statistics/streaming_histogram.h"
 
-namespace flatray::experiment_entries {
+namespace flatray::transport_experiment {
 namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
@@ -321,10 +321,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-extern const Experiment transport = {
+extern const Experiment entry = {
     "transport",
     "How fast does a ray spread between periodic walls, and how are its flights spread?",
     &run,
     {.count = true, .bounces = true, .seed = true, .resume = true}};
 
-}  // namespace flatray::experiment_entries
+}  // namespace flatray::transport_experiment

@@ -1,6 +1,6 @@
 #include "trace/lane_tracer.h"
 
-namespace flatray {
+namespace flatray::brute_tracer {
 namespace {
 
 std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned) {
@@ -9,8 +9,7 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned) {
 
 }  // namespace
 
-extern const Tracer brute_tracer;
-const Tracer brute_tracer = {"brute", "every wall against every ray, one in each lane", true,
-                             &build};
+extern const Tracer entry;
+const Tracer entry = {"brute", "every wall against every ray, one in each lane", true, &build};
 
-}  // namespace flatray
+}  // namespace flatray::brute_tracer

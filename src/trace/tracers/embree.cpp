@@ -8,7 +8,7 @@
 #include "trace/plain.h"
 #include "trace/tracer.h"
 
-namespace flatray {
+namespace flatray::embree_tracer {
 namespace {
 
 LoadedTable<FlatrayEmbreeModule> find_module() {
@@ -111,9 +111,9 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
 
 }  // namespace
 
-extern const Tracer embree_tracer;
-const Tracer embree_tracer = {
-    "embree", "Embree, robust, a module loaded at run time; single precision: not exact", false,
-    &build, [] { return find_module().problem; }};
+extern const Tracer entry;
+const Tracer entry = {"embree",
+                      "Embree, robust, a module loaded at run time; single precision: not exact",
+                      false, &build, [] { return find_module().problem; }};
 
-}  // namespace flatray
+}  // namespace flatray::embree_tracer

@@ -1,7 +1,7 @@
 #include "trace/exact_nearest.h"
 #include "trace/tracer.h"
 
-namespace flatray {
+namespace flatray::exact_tracer {
 namespace {
 
 class Exact : public Accelerator {
@@ -22,9 +22,9 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
 
 }  // namespace
 
-extern const Tracer exact_tracer;
-const Tracer exact_tracer = {
-    "exact", "every wall against every ray by exact comparisons alone: slow, for checking", true,
-    &build};
+extern const Tracer entry;
+const Tracer entry = {"exact",
+                      "every wall against every ray by exact comparisons alone: slow, for checking",
+                      true, &build};
 
-}  // namespace flatray
+}  // namespace flatray::exact_tracer

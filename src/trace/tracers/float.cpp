@@ -1,7 +1,7 @@
 #include "trace/plain.h"
 #include "trace/tracer.h"
 
-namespace flatray {
+namespace flatray::float_tracer {
 namespace {
 
 class Float : public Accelerator {
@@ -38,9 +38,9 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
 
 }  // namespace
 
-extern const Tracer float_tracer;
-const Tracer float_tracer = {
+extern const Tracer entry;
+const Tracer entry = {
     "float", "every wall in plain single precision: not exact, to see what that gets wrong", false,
     &build};
 
-}  // namespace flatray
+}  // namespace flatray::float_tracer

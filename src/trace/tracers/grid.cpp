@@ -1,6 +1,6 @@
 #include "trace/lane_tracer.h"
 
-namespace flatray {
+namespace flatray::grid_tracer {
 namespace {
 
 std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned threads) {
@@ -10,8 +10,8 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned thre
 
 }  // namespace
 
-extern const Tracer grid_tracer;
-const Tracer grid_tracer = {"grid", "walls in cells that rays walk through, one in each lane", true,
-                            &build};
+extern const Tracer entry;
+const Tracer entry = {"grid", "walls in cells that rays walk through, one in each lane", true,
+                      &build};
 
-}  // namespace flatray
+}  // namespace flatray::grid_tracer

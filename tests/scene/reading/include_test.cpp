@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kDisc = "[[entity]]\nshape = { circle = { radius = 1 } }\nname = ";
+const std::string kNamedDisc = "[[entity]]\nshape = { circle = { radius = 1 } }\nname = ";
 
 // Scenes in a folder.
 class Includes : public OwnFolder {
@@ -46,9 +46,9 @@ class Includes : public OwnFolder {
 using Names = std::vector<std::string>;
 
 TEST_F(Includes, ComeBeforeWhatIncludesThem) {
-  scene("main.toml", "include = [\"a.toml\", \"b.toml\"]\nfps = 5\n" + kDisc + "\"main\"");
-  scene("a.toml", "fps = 7\nframes = 3\nseed = 4\n" + kDisc + "\"a\"");
-  scene("b.toml", "frames = 9\n" + kDisc + "\"b\"");
+  scene("main.toml", "include = [\"a.toml\", \"b.toml\"]\nfps = 5\n" + kNamedDisc + "\"main\"");
+  scene("a.toml", "fps = 7\nframes = 3\nseed = 4\n" + kNamedDisc + "\"a\"");
+  scene("b.toml", "frames = 9\n" + kNamedDisc + "\"b\"");
   const Scene made = loaded();
   EXPECT_EQ(names(made), (Names{"a", "b", "main"}));
   EXPECT_LT(made.entities[0].order, made.entities[1].order);
@@ -73,8 +73,8 @@ TEST_F(Includes, OfManyTheLaterWinAndComeLater) {
   for (int i = 0; i < 7; ++i) {
     const std::string number = std::to_string(i), name = "part" + number;
     scene(name + ".toml", "fps = " + std::to_string(i + 1) + (i < 5 ? "\nseed = " + number : "") +
-                              "\n[markov.c]\nS" + number + " = { S" + number + " = 1 }\n" + kDisc +
-                              "\"" + name + "\"");
+                              "\n[markov.c]\nS" + number + " = { S" + number + " = 1 }\n" +
+                              kNamedDisc + "\"" + name + "\"");
     files += "\"" + name + ".toml\", ";
     expected.push_back(name);
   }
@@ -92,7 +92,7 @@ TEST_F(Includes, PathsStartAtTheFileThatHasThem) {
   scene("parts/a.toml",
         "include = [\"deep/b.toml\", \"../c.list\"]\n[[entity]]\nname = \"o\"\n"
         "shape = { import = { file = \"o.obj\" } }\n");
-  scene("parts/deep/b.toml", kDisc + "\"b\"");
+  scene("parts/deep/b.toml", kNamedDisc + "\"b\"");
   write("parts/o.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n");
   write("c.list", "{ BLOCK, 1, 2 }\n");
   EXPECT_EQ(names(loaded()), (Names{"b", "BLOCK", "o"}));
@@ -106,24 +106,24 @@ TEST_F(Includes, AnOutlineMayBeIncluded) {
 
 TEST_F(Includes, AFileCountsOnce) {
   scene("main.toml", "include = [\"a.toml\", \"b.toml\", \"./sub/../a.toml\"]\n");
-  scene("a.toml", "include = [\"c.toml\"]\n" + kDisc + "\"a\"");
-  scene("b.toml", "include = [\"c.toml\"]\n" + kDisc + "\"b\"");
-  scene("c.toml", kDisc + "\"c\"");
+  scene("a.toml", "include = [\"c.toml\"]\n" + kNamedDisc + "\"a\"");
+  scene("b.toml", "include = [\"c.toml\"]\n" + kNamedDisc + "\"b\"");
+  scene("c.toml", kNamedDisc + "\"c\"");
   fs::create_directories(folder_ / "sub");
   EXPECT_EQ(names(loaded()), (Names{"c", "a", "b"}));
 }
 
 TEST_F(Includes, TheTextOfEveryFileIsInTheHash) {
   scene("main.toml", "include = [\"a.toml\"]\n");
-  scene("a.toml", kDisc + "\"a\"");
+  scene("a.toml", kNamedDisc + "\"a\"");
   const std::uint64_t before = loaded().hash;
   EXPECT_EQ(loaded().hash, before);
-  scene("a.toml", kDisc + "\"a\" # changed");
+  scene("a.toml", kNamedDisc + "\"a\" # changed");
   EXPECT_NE(loaded().hash, before);
 }
 
 TEST_F(Includes, MistakesNameTheFileAndTheWayToIt) {
-  scene("main.toml", "\ninclude = [\"a.toml\"]\n" + kDisc + "3\n");
+  scene("main.toml", "\ninclude = [\"a.toml\"]\n" + kNamedDisc + "3\n");
   scene("a.toml", "include = [\"b.toml\"]\n");
   scene("b.toml", "fps = 0\n");
   EXPECT_EQ(refused(), R"(b.toml:2:7: error: fps is not above 0
@@ -154,7 +154,7 @@ TEST_F(Includes, RefusalsSayWhatToWrite) {
       {"include = [\"old.toml\"]", "old.toml:1:1: error: the included scene needs 'flatray'"},
       {"include = [\"new.toml\"]", "scene version 2 is newer than this program"},
       {"include = [\"bad.toml\"]", "bad.toml:1:11: error"},
-      {"include = [\"kinds.toml\"]\n" + kDisc + "\"e\"",
+      {"include = [\"kinds.toml\"]\n" + kNamedDisc + "\"e\"",
        "kinds.toml:2:10: error: entity is a number"},
       {"include = [\"main.toml\"]", "'main.toml' includes itself"},
       {"include = [\"../" + folder_.filename().string() + "/main.toml\"]", "includes itself"},
@@ -185,7 +185,7 @@ TEST_F(Includes, E6FilesThatIncludeTheNextTwiceAreReadOnce) {
     scene("f" + std::to_string(i) + ".toml", "include = [\"f" + std::to_string(i + 1) +
                                                  ".toml\", \"./f" + std::to_string(i + 1) +
                                                  ".toml\"]\n");
-  scene("f30.toml", kDisc + "\"e\"");
+  scene("f30.toml", kNamedDisc + "\"e\"");
   EXPECT_EQ(loaded("f0.toml").entities.size(), 1u);
 }
 
