@@ -117,15 +117,15 @@ says err "no path from a pixel finds the light of lamp"
 run 2 render lamp.toml --estimator sideways -o x.png
 
 # Killed at any moment, then resumed.
-run 0 render lamp.toml --rays 6291456 -o long.film --quiet
-for delay in 0.1 0.4 2.5; do
-  "$flatray" render lamp.toml --rays 6291456 -o killed.film --resume --quiet &
+run 0 render lamp.toml --rays 3145728 -o long.film --quiet
+for delay in 0.1 0.4 1.2; do
+  "$flatray" render lamp.toml --rays 3145728 -o killed.film --resume --quiet &
   sleep $delay
   kill -9 $! 2> /dev/null
   wait $! 2> /dev/null
   [[ ! -e killed.film ]] || run 0 merge killed.film -o killed.png --quiet
 done
-run 0 render lamp.toml --rays 6291456 -o killed.film --resume --quiet
+run 0 render lamp.toml --rays 3145728 -o killed.film --resume --quiet
 as_one long.film killed.film "killed and resumed"
 
 # The error.

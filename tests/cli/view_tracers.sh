@@ -8,14 +8,12 @@ compare() {
   local view=$1 size=32x18
   shift
   [[ $scene == */pile.toml ]] && size=17x1 # 40 000 walls by `exact`; a row is more than 16 rays
-  rm -rf exact
-  run 0 render "$scene" --view "$view" --tracer exact --size $size --quiet -f 1 -o 'exact/#.png'
+  run 0 render "$scene" --view "$view" --tracer exact --size $size --quiet -f 1 -o exact.png
   for tier; do
     for tracer in grid brute; do
       [[ $tracer == grid || $view/$tier == "hits/${tiers[-1]}" ]] || continue
-      rm -rf other
-      FLATRAY_ISA=$tier run 0 render "$scene" --view "$view" --tracer $tracer --size $size --quiet -f 1 -o 'other/#.png'
-      same exact other "${scene#"$root/"}, $view, $tracer, $tier"
+      FLATRAY_ISA=$tier run 0 render "$scene" --view "$view" --tracer $tracer --size $size --quiet -f 1 -o other.png
+      cmp exact.png other.png || fail "${scene#"$root/"}, $view, $tracer, $tier: not the picture of exact"
     done
   done
 }
