@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # `flatray accuracy`: files, a table for people, a budget that cuts, and what it refuses.
 source "$(dirname "$0")/lib.sh"
-ignore_leaks  # of Mesa
 scene box.toml 3
 run 0 accuracy box.toml -o out --budget 5s
 says out "coverage: What does it cost"

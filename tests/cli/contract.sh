@@ -2,7 +2,6 @@
 # needs: shapes/box formats/obj lamps/point
 # Every command of docs/LIMITS.md gives the exit code, leaves the files and keeps to the memory that its row says.
 source "$(dirname "$0")/lib.sh"
-ignore_leaks  # of Mesa, which `accuracy` draws with
 
 mkdir -p given/scenes given/golden_images
 cd given || exit 1

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Experiments on chambers as their users run them: files, progress kept, sweeps, mistakes.
 # needs: shapes/box shapes/circle
+leaks=looked_for
 source "$(dirname "$0")/lib.sh"
 sinai=$root/scenes/chamber/sinai.toml
 run 0 experiment mean-free-path "$sinai" --count 20000 -o whole

@@ -3,7 +3,6 @@
 # The GL back ends as users run them.
 source "$(dirname "$0")/lib.sh"
 # Mesa keeps memory and threads that LeakSanitizer cannot always read.
-ignore_leaks  # of Mesa
 scene moving.toml 6 'stroke = { width = 0.5, colour = "#2040ff80" }'
 
 run 0 --version

@@ -3,7 +3,6 @@
 # The GL back end against exact areas on scenes of the project: samples explain every difference.
 source "$(dirname "$0")/lib.sh"
 # Mesa keeps memory and threads that LeakSanitizer cannot always read.
-ignore_leaks  # of Mesa
 for name in tutorial/02_shapes tutorial/09_chamber paper/case_two drawing/gradients drawing/fading; do
   run 0 experiment backends "$root/scenes/$name.toml" -D film.size=[160,100] -o files
   says out "all differences are those between exact areas and samples"

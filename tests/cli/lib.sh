@@ -7,6 +7,8 @@ root=$2
 sanitizers=${3:-}
 here=$(cd "$(dirname "$0")" && pwd)
 unset CI "${!FLATRAY_@}" 2> /dev/null
+# Leaks are looked for where a test has set `leaks` before: to look takes longer than most runs, and Mesa and Embree have some.
+[[ -n ${leaks:-} ]] || export ASAN_OPTIONS=detect_leaks=0
 work=$(mktemp -d)
 trap 'umount "$work/disk" 2> /dev/null; chmod -R u+w "$work"; rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -35,9 +37,6 @@ says() {
   sed 's/^/    /' "$work/$1.txt" | head -8
 }
 silent() { [[ ! -s $work/$1.txt ]] || fail "std$1 is not empty: $(head -1 "$work/$1.txt")"; }
-
-# ignore_leaks: those of Mesa, and where the leak sanitizer cannot look, as at threads of Embree that end with the program.
-ignore_leaks() { export ASAN_OPTIONS=detect_leaks=0; }
 
 # limit_memory KIB: of what is run from here on. Sanitizers map more than any limit allows.
 limit_memory() { [[ -n $sanitizers ]] || ulimit -v "$1"; }

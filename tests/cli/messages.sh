@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # needs: formats/obj formats/list shapes/circle
 # Messages say what is meant; what means nothing is told, not passed over.
+leaks=looked_for
 source "$(dirname "$0")/lib.sh"
 scene scene.toml 3
 run 2 render scene.toml --shard 0/99999999

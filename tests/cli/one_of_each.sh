@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # needs: shapes/circle shapes/segment shapes/convex
 # A scene with one of everything: no message says "1 rays". Counts are put into words by base/counted.h.
+leaks=looked_for
 source "$(dirname "$0")/lib.sh"
 cat > one.toml <<'TOML'
 flatray = 1

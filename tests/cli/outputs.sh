@@ -2,7 +2,6 @@
 # needs: shapes/box
 # Nothing replaces an input, a link or a file of another kind without --force.
 source "$(dirname "$0")/lib.sh"
-ignore_leaks  # of Embree
 scene box.toml 2
 run 0 render box.toml -f 1 -o a.png --quiet
 run 0 render box.toml -f 2 -o b.png --quiet

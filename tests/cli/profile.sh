@@ -2,7 +2,6 @@
 # needs: shapes/circle
 # `flatray accuracy --profile` and `flatray render --profile`: what is chosen, and refused with its place.
 source "$(dirname "$0")/lib.sh"
-ignore_leaks  # of Mesa
 scene box.toml 1 '[[entity]]' 'shape = { circle = { centre = [3.3, 2.1], radius = 1.7 } }'
 run 0 accuracy box.toml -o out --choice coverage --budget 5s --profile box.profile
 grep -q '"setting":"exact area"' box.profile || fail "no exact area in the profile"

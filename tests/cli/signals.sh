@@ -2,8 +2,6 @@
 # Every verb that can take long, SIGINT and SIGTERM: it ends soon with 130 or 143, one line says why and what is kept, and no
 # file is there in part. Verbs run side by side; each gets its signal when it listens.
 source "$(dirname "$0")/lib.sh"
-# The search for leaks at the end of a program hears no signal, and takes long among the buffers of GL.
-ignore_leaks
 # Mesa keeps shaders on disk by a thread of lowest priority, which a process that ends waits for where all cores are busy.
 export MESA_SHADER_CACHE_DISABLE=true
 scene box.toml 100000

@@ -9,7 +9,7 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned) {
 
 }  // namespace
 
-extern const Tracer entry;
-const Tracer entry = {"brute", "every wall against every ray, one in each lane", true, &build};
+extern const Tracer entry = {"brute", "every wall against every ray, one in each lane", true,
+                             &build};
 
 }  // namespace flatray::brute_tracer

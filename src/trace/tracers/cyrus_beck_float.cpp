@@ -2,8 +2,7 @@
 
 namespace flatray::cyrus_beck_float_tracer {
 
-extern const Tracer entry;
-const Tracer entry = {
+extern const Tracer entry = {
     "cyrus-beck-float",
     "the paper's method, convex polygon by convex polygon, in plain single precision: not exact",
     false, [](const Surfaces& walls, Isa, unsigned) -> std::unique_ptr<Accelerator> {

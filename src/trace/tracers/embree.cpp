@@ -111,9 +111,8 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
 
 }  // namespace
 
-extern const Tracer entry;
-const Tracer entry = {"embree",
-                      "Embree, robust, a module loaded at run time; single precision: not exact",
-                      false, &build, [] { return find_module().problem; }};
+extern const Tracer entry = {
+    "embree", "Embree, robust, a module loaded at run time; single precision: not exact", false,
+    &build, [] { return find_module().problem; }};
 
 }  // namespace flatray::embree_tracer

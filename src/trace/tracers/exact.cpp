@@ -22,9 +22,8 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
 
 }  // namespace
 
-extern const Tracer entry;
-const Tracer entry = {"exact",
-                      "every wall against every ray by exact comparisons alone: slow, for checking",
-                      true, &build};
+extern const Tracer entry = {
+    "exact", "every wall against every ray by exact comparisons alone: slow, for checking", true,
+    &build};
 
 }  // namespace flatray::exact_tracer

@@ -38,8 +38,7 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
 
 }  // namespace
 
-extern const Tracer entry;
-const Tracer entry = {
+extern const Tracer entry = {
     "float", "every wall in plain single precision: not exact, to see what that gets wrong", false,
     &build};
 

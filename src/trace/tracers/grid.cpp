@@ -10,8 +10,7 @@ std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned thre
 
 }  // namespace
 
-extern const Tracer entry;
-const Tracer entry = {"grid", "walls in cells that rays walk through, one in each lane", true,
-                      &build};
+extern const Tracer entry = {"grid", "walls in cells that rays walk through, one in each lane",
+                             true, &build};
 
 }  // namespace flatray::grid_tracer
