@@ -84,7 +84,8 @@ endfunction()
 
 # Writes <folder>.inc: the declarations of the entries, and the function that gives them all, sorted. The source whose
 # header declares that function includes it in namespace flatray. An entry called NAME defines `entry` in the namespace told.
-# REQUIRED: every build has one of them at least.
+# REQUIRED: every build has one of them at least. ALONE: each is compiled as a source of its own, as less of one of many is
+# inlined.
 #   flatray_write_table(scene shapes ShapeType shape_types NAME_shape)
 function(flatray_write_table module folder type function space)
   get_property(names TARGET flatray_${module} PROPERTY FLATRAY_ENTRIES_${folder})
@@ -95,7 +96,9 @@ function(flatray_write_table module folder type function space)
   set(declarations "")
   set(addresses "")
   list(TRANSFORM names REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/\\1.cpp" OUTPUT_VARIABLE sources)
-  flatray_unite(${folder} ${sources})
+  if(NOT "ALONE" IN_LIST ARGN)
+    flatray_unite(${folder} ${sources})
+  endif()
   foreach(name IN LISTS names)
     string(REPLACE NAME ${name} entry ${space})
     string(APPEND declarations "namespace ${entry} { extern const ${type} entry; }\n")
