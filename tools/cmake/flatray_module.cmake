@@ -38,7 +38,7 @@ endfunction()
 # Compiles the sources of each folder as one instead, so that names need be unlike within a folder alone.
 #   flatray_unite_folders(flatray_study experiment.cpp rooms/room.cpp)
 function(flatray_unite_folders target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${FLATRAY_UNITY})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${FLATRAY_UNITY} UNITY_BUILD_MODE GROUP)
   foreach(source IN LISTS ARGN)
     get_filename_component(folder ${source} DIRECTORY)
     get_filename_component(folder "${folder}" NAME)
