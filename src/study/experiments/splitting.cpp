@@ -43,23 +43,17 @@ Measure not_turned(Measure near, const Measure& far) {
   return near;
 }
 
-class Made : public OrbitSink {
- public:
-  explicit Made(std::size_t count) : bounces(count) {}
-  void bounce(std::size_t number, const Bounce&) override { ++bounces[number]; }
-  std::vector<std::uint64_t> bounces;
-};
-
 // Bounces of a few orbits that the groups do not use, the most first.
 std::vector<std::uint64_t> pilot(const ExperimentContext& context, const Room& room,
                                  std::uint64_t bounces) {
   std::vector<OrbitStart> starts;
   for (std::uint64_t i = 0; i < kPilot; ++i)
     starts.push_back(room.draw_start(context.seed, (std::uint64_t{1} << 40) + i));
-  Made made(starts.size());
-  follow_starts(context, room, starts, bounces, made);
-  std::ranges::sort(made.bounces, std::greater<>());
-  return std::move(made.bounces);
+  std::vector<std::uint64_t> made(starts.size());
+  BounceSink sink([&](std::size_t number, const Bounce&) { ++made[number]; });
+  follow_starts(context, room, starts, bounces, sink);
+  std::ranges::sort(made, std::greater<>());
+  return made;
 }
 
 // Levels that leave about a quarter each.

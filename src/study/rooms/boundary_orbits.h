@@ -19,37 +19,16 @@ struct BoundaryOrbits {
   NamedOrbits orbits;
   std::uint64_t bounces;  ///< of each, unless it ends
 };
-Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const Room& room,
-                                       std::uint64_t random_orbits);
+inline Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const Room& room,
+                                              std::uint64_t random_orbits) {
+  FLATRAY_TRY(watched, orbits_to_watch(context, room, random_orbits));
+  const std::uint64_t orbits = watched->starts.size();
+  return BoundaryOrbits{std::move(*watched),
+                        context.bounces.value_or((context.count + orbits - 1) / orbits)};
+}
 
-/// Shows each of some orbits to a watch of its own, which has see(BoundaryPoint), and numbers() of
-/// what it found.
-template <class Watch>
-class WatchedBounces : public OrbitSink {
- public:
-  WatchedBounces(const Room& room, std::size_t orbits, const Watch& watch)
-      : room_(room), watches_(orbits, watch) {}
-  void bounce(std::size_t number, const Bounce& bounce) override {
-    watches_[number].see(
-        {room_.place_of(bounce) / room_.perimeter(), sine_of(bounce.out, bounce.normal)});
-  }
-  /// Of each watch how many, then these.
-  Numbers numbers() const {
-    Numbers all;
-    for (const Watch& watch : watches_) {
-      const Numbers found = watch.numbers();
-      all.push_back(static_cast<double>(found.size()));
-      all.insert(all.end(), found.begin(), found.end());
-    }
-    return all;
-  }
-
- private:
-  const Room& room_;
-  std::vector<Watch> watches_;
-};
-
-/// Follows them in blocks (study/statistics/blocks.h), each with a watch that begins as `watch` is.
+/// Follows them in blocks (study/statistics/blocks.h), each shown to a watch of its own, which begins
+/// as `watch` is and has see(BoundaryPoint), and numbers() of what it found.
 /// Gives   the audit of fast orbits; what each watch found to `take`, in the order of the orbits.
 template <class Watch, class Take>
 Result<std::vector<Measure>> watch_bounces(const ExperimentContext& context, const Room& room,
@@ -64,9 +43,19 @@ Result<std::vector<Measure>> watch_bounces(const ExperimentContext& context, con
       [&](std::size_t block) {
         const auto some =
             starts.subspan(blocks.begin(block), blocks.end(block) - blocks.begin(block));
-        WatchedBounces<Watch> bounces(room, some.size(), watch);
-        follow_starts(context, room, some, orbits.bounces, bounces);
-        return bounces.numbers();
+        std::vector<Watch> watches(some.size(), watch);
+        BounceSink sink([&](std::size_t number, const Bounce& bounce) {
+          watches[number].see(
+              {room.place_of(bounce) / room.perimeter(), sine_of(bounce.out, bounce.normal)});
+        });
+        follow_starts(context, room, some, orbits.bounces, sink);
+        Numbers all;  // of each watch how many, then these
+        for (const Watch& one : watches) {
+          const Numbers found = one.numbers();
+          all.push_back(static_cast<double>(found.size()));
+          all.insert(all.end(), found.begin(), found.end());
+        }
+        return all;
       },
       [&](const Numbers& block) {
         for (std::span<const double> rest(block); !rest.empty();) {

@@ -44,12 +44,6 @@ void follow_certified(const Room& room, const OrbitStart& start, std::size_t num
   sink.end(number, {orbit->end, orbit->out, orbit->end_point, orbit->end_surfaces});
 }
 
-class Bounces : public OrbitSink {
- public:
-  void bounce(std::size_t, const Bounce& bounce) override { all.push_back(bounce); }
-  std::vector<Bounce> all;
-};
-
 // One start, followed three times.
 struct Followed {
   std::size_t proven = 0;                         // bounces of the certified orbit
@@ -60,26 +54,29 @@ struct Followed {
 
 Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitStart& start,
                        std::uint64_t bounces, double size) {
-  Bounces fast, exact;
-  orbits.follow(std::span(&start, 1), bounces, fast);
-  room.orbits().follow(std::span(&start, 1), bounces, exact);
+  const auto bounces_by = [&](const auto& tracer) {
+    std::vector<Bounce> all;
+    BounceSink sink([&](std::size_t, const Bounce& bounce) { all.push_back(bounce); });
+    tracer.follow(std::span(&start, 1), bounces, sink);
+    return all;
+  };
+  const std::vector<Bounce> fast = bounces_by(orbits), exact = bounces_by(room.orbits());
   const auto truth = certified_orbit(room.walls(), start.ray, bounces,
                                      {room.materials(), kAuditedBits, kAuditedWork});
   Followed found;
   if (!truth || truth->bounces.empty()) return found;
   found.proven = truth->bounces.size();
-  found.fast_right = horizon(room.walls(), *truth, fast.all);
-  found.exact_right = horizon(room.walls(), *truth, exact.all);
+  found.fast_right = horizon(room.walls(), *truth, fast);
+  found.exact_right = horizon(room.walls(), *truth, exact);
   const std::uint64_t right = found.fast_right;
-  found.wrong =
-      right < found.proven &&
-      (right == 0 ||
-       (fast.all[right - 1].point - truth->bounces[right - 1].point).norm() < kSamePlace * size);
+  found.wrong = right < found.proven &&
+                (right == 0 || (fast[right - 1].point - truth->bounces[right - 1].point).norm() <
+                                   kSamePlace * size);
   if (right > 0) {
     const CertifiedOrbit::Bounce& first = truth->bounces.front();
     const double t = first.t * std::sqrt(start.ray.direction.squaredNorm());
-    found.first = std::fabs(fast.all.front().t - t) * std::fabs(first.in.dot(first.normal)) /
-                  (0x1p-53 * size);
+    found.first =
+        std::fabs(fast.front().t - t) * std::fabs(first.in.dot(first.normal)) / (0x1p-53 * size);
   }
   return found;
 }

@@ -6,6 +6,17 @@
 
 namespace flatray {
 
+/// A sink that tells `see` of each bounce, with the number of its orbit, and of nothing else.
+template <class See>
+class BounceSink : public OrbitSink {
+ public:
+  explicit BounceSink(See see) : see_(std::move(see)) {}
+  void bounce(std::size_t number, const Bounce& bounce) override { see_(number, bounce); }
+
+ private:
+  See see_;
+};
+
 /// Follows orbits in the precision of the context: fast or exact as the room's own tracers do, or
 /// certified, every one as far as it is proven. In a magnetic field all are exact.
 ///

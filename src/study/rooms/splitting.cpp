@@ -11,34 +11,6 @@
 namespace flatray {
 namespace {
 
-// Where walkers are after so many bounces, of those that made them.
-class NextLevel : public OrbitSink {
- public:
-  NextLevel(const Room& room, const std::vector<Walker>& from, std::uint64_t bounces)
-      : room_(room), from_(from), limit_(bounces), made_(from.size()), last_(from.size()) {}
-
-  void bounce(std::size_t number, const Bounce& bounce) override {
-    if (++made_[number] == limit_) last_[number] = bounce;
-  }
-
-  std::vector<Walker> left() const {
-    std::vector<Walker> all;
-    for (std::size_t i = 0; i < from_.size(); ++i)
-      if (last_[i])
-        all.push_back({{{last_[i]->point, last_[i]->out}, room_.departed_by(*last_[i])},
-                       from_[i].way + last_[i]->path_length,
-                       from_[i].ancestor});
-    return all;
-  }
-
- private:
-  const Room& room_;
-  const std::vector<Walker>& from_;
-  std::uint64_t limit_;
-  std::vector<std::uint64_t> made_;
-  std::vector<std::optional<Bounce>> last_;
-};
-
 std::vector<double> ways_of(const std::vector<Walker>& walkers) {
   std::vector<double> ways(walkers.size());
   std::ranges::transform(walkers, ways.begin(), &Walker::way);
@@ -104,9 +76,19 @@ Population::Population(const ExperimentContext& context, const Room& room,
 void Population::advance() {
   std::vector<OrbitStart> starts;
   for (const Walker& one : walkers_) starts.push_back(one.at);
-  NextLevel next(room_, walkers_, plan_.bounces);
-  follow_starts(context_, room_, starts, plan_.bounces, next);
-  walkers_ = next.left();
+  std::vector<std::uint64_t> made(starts.size());
+  std::vector<std::optional<Bounce>> last(starts.size());  // of those that make all bounces
+  BounceSink sink([&](std::size_t number, const Bounce& bounce) {
+    if (++made[number] == plan_.bounces) last[number] = bounce;
+  });
+  follow_starts(context_, room_, starts, plan_.bounces, sink);
+  std::vector<Walker> left;
+  for (std::size_t i = 0; i < last.size(); ++i)
+    if (last[i])
+      left.push_back({{{last[i]->point, last[i]->out}, room_.departed_by(*last[i])},
+                      walkers_[i].way + last[i]->path_length,
+                      walkers_[i].ancestor});
+  walkers_ = std::move(left);
 }
 
 void Population::clone() {
