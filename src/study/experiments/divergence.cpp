@@ -63,11 +63,6 @@ Ray half_way(const Room& room, const OrbitStart& start) {
   return {0.5 * start.ray.origin + 0.5 * first.point(), start.ray.direction};
 }
 
-double distance(const Vec2& a, const Vec2& b) {
-  const Vec2 d = a - b;
-  return std::sqrt(d.x() * d.x() + d.y() * d.y());
-}
-
 class Study {
  public:
   Study(const ExperimentContext& context, const Room& room)
@@ -88,9 +83,9 @@ class Study {
       const auto& exact = trio.exact.bounces[i];
       const bool there = i < trio.plain.bounces.size();
       right = right && there && trio.plain.bounces[i].surface == exact.surface;
-      const double off = there ? distance(trio.plain.bounces[i].point, exact.point) : size_;
+      const double off = there ? (trio.plain.bounces[i].point - exact.point).norm() : size_;
       near = near && i < both && trio.beside.bounces[i].surface == exact.surface;
-      const double apart = i < both ? distance(trio.beside.bounces[i].point, exact.point) : size_;
+      const double apart = i < both ? (trio.beside.bounces[i].point - exact.point).norm() : size_;
       near = near && apart < kHorizonShare * size_;
       if (near && apart > 0) fit.add(static_cast<double>(i + 1), portable::log(apart));
       if (right) same = i + 1;

@@ -8,8 +8,6 @@ namespace {
 
 constexpr int kMostSweeps = 4000, kHalvings = 60;
 
-Vec2 values(const Pair<Near>& p) { return {p.x.value(), p.y.value()}; }
-
 struct Touched {
   Vec2 point;
   bool passed;  // the straight line from a to b goes through the disc
@@ -46,8 +44,8 @@ std::vector<Touched> shortest_polygon(const std::vector<CurvedBounce>& bounces) 
       const std::size_t before = (i + count - 1) % count, after = (i + 1) % count;
       const Circle disc = circle_of(of(i).arc->curve);
       const Touched next =
-          nearest_touch(disc, values(of(before).next.back(near(all[before].point))),
-                        values(of(i).next(near(all[after].point))));
+          nearest_touch(disc, middle(of(before).next.back(near(all[before].point))),
+                        middle(of(i).next(near(all[after].point))));
       moved =
           std::max(moved, (next.point - all[i].point).squaredNorm() / (disc.radius * disc.radius));
       all[i] = next;

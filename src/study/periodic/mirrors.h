@@ -41,6 +41,7 @@ enum class Proof : std::uint8_t { no, yes, open };
 
 /// The sign of an enclosure as a proof of `positive`.
 inline Pair<Near> near(const Vec2& v) { return {v.x(), v.y()}; }
+inline Vec2 middle(const Pair<Near>& point) { return {point.x.value(), point.y.value()}; }
 inline Proof is_positive(const Near& number) {
   const auto sign = number.sign();
   return !sign ? Proof::open : *sign == Sign::positive ? Proof::yes : Proof::no;

@@ -66,8 +66,6 @@ class StationaryPolygon {
   std::vector<Near> places_;
 };
 
-/// A vector of length 1 along one.
-inline Vec2 direction_of(const Vec2& v) { return v / std::sqrt(v.squaredNorm()); }
 /// The length of a vector; an unknown where it may be 0.
 inline Near length_of(const Pair<Near>& v) { return square_root(dot(v, v)); }
 

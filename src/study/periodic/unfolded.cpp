@@ -9,8 +9,6 @@
 namespace flatray {
 namespace {
 
-Vec2 middle(const Pair<Near>& point) { return {point.x.value(), point.y.value()}; }
-
 Near signed_by(Sign side, const Near& number) { return side == Sign::negative ? -number : number; }
 
 Proof is_between(const Near& number, const Near& low, const Near& high) {

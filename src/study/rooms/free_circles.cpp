@@ -8,8 +8,6 @@ namespace {
 
 constexpr int kRows = 16384;
 
-double distance(const Vec2& a, const Vec2& b) { return std::sqrt((a - b).squaredNorm()); }
-
 // How near and how far the points of a wall are.
 struct Reach {
   double least, most;
@@ -17,15 +15,15 @@ struct Reach {
 Reach reach_of(const Segment& wall, const Vec2& place) {
   const Vec2 edge = wall.b - wall.a;
   const double along = std::clamp((place - wall.a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-  return {distance(place, wall.a + along * edge),
-          std::max(distance(place, wall.a), distance(place, wall.b))};
+  return {(place - (wall.a + along * edge)).norm(),
+          std::max((place - wall.a).norm(), (place - wall.b).norm())};
 }
 Reach reach_of(const Arc& wall, const Vec2& place) {
   const Vec2& centre = wall.curve.centre;
-  const double away = distance(place, centre), radius = wall.curve.u.x();
+  const double away = (place - centre).norm(), radius = wall.curve.u.x();
   Reach reach{std::fabs(away - radius), away + radius};
   if (wall.extent == Arc::Extent::whole) return reach;
-  const double from = distance(place, wall.from), to = distance(place, wall.to);
+  const double from = (place - wall.from).norm(), to = (place - wall.to).norm();
   if (place_in_cone(wall, place) == PlaceOn::outside) reach.least = std::min(from, to);
   if (place_in_cone(wall, Vec2(2 * centre - place)) == PlaceOn::outside)
     reach.most = std::max(from, to);

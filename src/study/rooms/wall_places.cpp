@@ -12,21 +12,17 @@ namespace {
 
 constexpr double kTurn = 0x1.921fb54442d18p+2;
 
-double length(const Vec2& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); }
-
 // A straight wall by the length from its first end.
 class LineWay {
  public:
-  explicit LineWay(const Segment& wall) : wall_(wall), sweep_(length(wall.b - wall.a)) {}
+  explicit LineWay(const Segment& wall) : wall_(wall), sweep_((wall.b - wall.a).norm()) {}
   double sweep() const { return sweep_; }
   Vec2 at(double past) const { return wall_.a + past / sweep_ * (wall_.b - wall_.a); }
   Vec2 normal_at(const Vec2& point) const { return normal_near(wall_, point) / sweep_; }
   double curvature_at(const Vec2&) const { return 0; }
-  double parameter(const Vec2& point) const { return length(point - wall_.a); }
-  bool is_even() const { return true; }
+  double parameter(const Vec2& point) const { return std::min((point - wall_.a).norm(), sweep_); }
+  double even_speed() const { return 1; }
   double speed(double) const { return 1; }
-  double length_to(double past) const { return std::min(past, sweep_); }
-  double parameter_at(double position) const { return position; }
   std::vector<Vec2> outline() const { return {wall_.a, wall_.b}; }
 
  private:
@@ -48,12 +44,12 @@ double length_between(const Way& way, double from, double to) {
   return std::fabs(half) * sum;
 }
 
-// Lengths up to the ends of equal parts of a way, by their parameter.
+// Lengths up to the ends of equal parts of a way, by their parameter; of an even one up to its end.
 constexpr std::size_t kPieces = 64;
 template <class Way>
 std::vector<double> lengths_along(const Way& way) {
+  if (way.even_speed() > 0) return {way.even_speed() * std::fabs(way.sweep())};
   std::vector<double> lengths{0};
-  if (way.is_even()) return lengths;
   const double part = way.sweep() / kPieces;
   for (std::size_t i = 0; i < kPieces; ++i) {
     const auto from = static_cast<double>(i) * part;
@@ -64,7 +60,7 @@ std::vector<double> lengths_along(const Way& way) {
 
 template <class Way>
 double length_to(const Way& way, std::span<const double> lengths, double past) {
-  if (way.is_even()) return way.length_to(past);
+  if (way.even_speed() > 0) return way.even_speed() * std::fabs(past);
   const double part = way.sweep() / kPieces;
   const auto i = static_cast<std::size_t>(std::clamp(past / part, 0.0, kPieces - 1.0));
   const double from = static_cast<double>(i) * part;
@@ -76,7 +72,7 @@ double length_to(const Way& way, std::span<const double> lengths, double past) {
 template <class Way>
 double passed_at(const Way& way, std::span<const double> lengths, double position) {
   constexpr int kSteps = 5;
-  if (way.is_even()) return way.parameter_at(position);
+  if (way.even_speed() > 0) return (way.sweep() < 0 ? -position : position) / way.even_speed();
   const auto above = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, position);
   const auto i = static_cast<std::size_t>(above - lengths.begin() - 1);
   const double part = way.sweep() / kPieces, from = static_cast<double>(i) * part;
@@ -128,16 +124,13 @@ class ArcWay {
     return portable::cos(a) * curve_.v - portable::sin(a) * curve_.u;
   }
   Vec2 normal_at(const Vec2& point) const {
-    if (curve_.is_circle()) {
-      const Vec2 out = point - curve_.centre;
-      return out / flatray::length(out);
-    }
+    if (curve_.is_circle()) return direction_of(point - curve_.centre);
     const Vec2 along = tangent_at(point), across(along.y(), -along.x());
-    return turn_of(curve_) * across / flatray::length(across);
+    return turn_of(curve_) * across / across.norm();
   }
   double curvature_at(const Vec2& point) const {
     if (curve_.is_circle()) return 1 / curve_.u.x();
-    const double fast = flatray::length(tangent_at(point));
+    const double fast = tangent_at(point).norm();
     return std::fabs(cross(curve_.u, curve_.v)) / (fast * fast * fast);
   }
   std::vector<Vec2> outline() const { return evenly_along(*this, 96); }
@@ -149,13 +142,9 @@ class ArcWay {
     // Just before the beginning, by rounding, is the beginning.
     return std::fabs(ahead) > 0.5 * (std::fabs(sweep_) + kTurn) ? 0 : ahead;
   }
-  // Whether lengths are in proportion to the parameter.
-  bool is_even() const { return curve_.is_circle(); }
-  double length_to(double past) const { return curve_.u.x() * std::fabs(past); }
-  double parameter_at(double position) const {
-    return (sweep_ < 0 ? -position : position) / curve_.u.x();
-  }
-  double speed(double past) const { return flatray::length(tangent(past)); }
+  // What lengths are to the parameter, where they are in proportion to it; else 0.
+  double even_speed() const { return curve_.is_circle() ? curve_.u.x() : 0; }
+  double speed(double past) const { return tangent(past).norm(); }
 
  private:
   // By the coordinates along u and v of a point, which are the cosine and sine of its parameter.
@@ -179,18 +168,13 @@ class BezierWay {
   explicit BezierWay(const Bezier& wall) : wall_(wall) {}
   double sweep() const { return 1; }
   Vec2 at(double past) const { return point_at(wall_, past); }
-  Vec2 normal_at(const Vec2& point) const {
-    const Vec2 normal = normal_near(wall_, point);
-    return normal / length(normal);
-  }
+  Vec2 normal_at(const Vec2& point) const { return direction_of(normal_near(wall_, point)); }
   double curvature_at(const Vec2& point) const {
     return flatray::curvature_at(wall_, parameter(point));
   }
   double parameter(const Vec2& point) const { return parameter_near(wall_, point); }
-  bool is_even() const { return false; }
+  double even_speed() const { return 0; }
   double speed(double s) const { return speed_at(wall_, s); }
-  double length_to(double) const { return 0; }  // of even ways alone, as the next
-  double parameter_at(double) const { return 0; }
   std::vector<Vec2> outline() const { return evenly_along(*this, 64); }
 
  private:
@@ -212,12 +196,6 @@ auto along(const Surfaces& walls, std::uint32_t surface, const Use& use) {
 WallPlaces::WallPlaces(const Surfaces& walls) : walls_(walls) {
   for (std::uint32_t i = 0; i < walls.size(); ++i)
     lengths_.push_back(along(walls, i, [](const auto& way) { return lengths_along(way); }));
-}
-
-double WallPlaces::length(std::uint32_t surface) const {
-  return along(walls_, surface, [&](const auto& way) {
-    return way.is_even() ? way.length_to(way.sweep()) : lengths_[surface].back();
-  });
 }
 
 Vec2 WallPlaces::point(std::uint32_t surface, double position) const {

@@ -16,15 +16,18 @@ namespace flatray {
 class WallPlaces {
  public:
   explicit WallPlaces(const Surfaces& walls);
-  double length(std::uint32_t surface) const;
+  double length(std::uint32_t surface) const { return lengths_[surface].back(); }
   Vec2 point(std::uint32_t surface, double position) const;
   /// Where on a wall a point lies that is near it.
   double position(std::uint32_t surface, const Vec2& point) const;
 
  private:
   const Surfaces& walls_;
-  std::vector<std::vector<double>> lengths_;  // by surface: up to equal parts of its parameter
+  std::vector<std::vector<double>> lengths_;  // by surface: up to equal parts of it, or all of it
 };
+
+/// A vector of length 1 along one.
+inline Vec2 direction_of(const Vec2& v) { return v / v.norm(); }
 
 /// Points along a wall, both ends among them, to draw it: the two of a segment, many of a curve.
 std::vector<Vec2> wall_outline(const Surfaces& walls, std::uint32_t surface);
