@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/portable_math.h"
 #include "geom/clip.h"
@@ -50,12 +51,9 @@ void LineDensity::add_cells(std::span<const double> cells) {
 }
 
 double LineDensity::scale() const {
-  double sum = 0, lit = 0;
-  for (const double cell : cells_) {
-    sum += cell;
-    lit += cell > 0 ? 1 : 0;
-  }
-  return sum > 0 ? 0.7 * lit / sum : 0;
+  const double sum = std::accumulate(cells_.begin(), cells_.end(), 0.0);
+  const auto lit = std::ranges::count_if(cells_, [](double cell) { return cell > 0; });
+  return sum > 0 ? 0.7 * static_cast<double>(lit) / sum : 0;
 }
 
 Image LineDensity::picture() const {

@@ -4,7 +4,6 @@
 
 #include "geom/bounds.h"
 #include "image/image.h"
-#include "study/experiment.h"
 
 namespace flatray {
 

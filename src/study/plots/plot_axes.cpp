@@ -31,27 +31,20 @@ int exponent_of(double x) {
   return std::stoi(words.substr(words.find('e') + 1));
 }
 
-// Multiples of a step as they stand on one axis: where the largest needs an exponent, all have its.
-class AxisWords {
- public:
-  AxisWords(double step, double largest) {
-    constexpr int kUsualDigits = 6, kLeastPlain = -4, kLeastExponent = -307;
-    const int last = exponent_of(step) - 1, first = exponent_of(largest);  // steps have two digits
-    const bool plain =
-        first >= kLeastPlain && first <= std::max(kUsualDigits - 1, first - last - 1);
-    exponent_ = plain ? 0 : std::max(first, kLeastExponent);
-    decimals_ = std::max(0, exponent_ - last);
-  }
-  std::string operator()(double at) const {
-    std::string words = fmt::format("{:.{}f}", at / portable::pow(10, exponent_), decimals_);
-    if (decimals_ > 0) words.erase(words.find_last_not_of('0') + 1);
+// Words of multiples of a step as they stand on one axis: where the largest needs an exponent, all have its.
+auto axis_words(double step, double largest) {
+  constexpr int kUsualDigits = 6, kLeastPlain = -4, kLeastExponent = -307;
+  const int last = exponent_of(step) - 1, first = exponent_of(largest);  // steps have two digits
+  const bool plain = first >= kLeastPlain && first <= std::max(kUsualDigits - 1, first - last - 1);
+  const int exponent = plain ? 0 : std::max(first, kLeastExponent);
+  const int decimals = std::max(0, exponent - last);
+  return [exponent, decimals](double at) {
+    std::string words = fmt::format("{:.{}f}", at / portable::pow(10, exponent), decimals);
+    if (decimals > 0) words.erase(words.find_last_not_of('0') + 1);
     if (words.back() == '.') words.pop_back();
-    return exponent_ == 0 || at == 0 ? words : fmt::format("{}e{}", words, exponent_);
-  }
-
- private:
-  int exponent_, decimals_;
-};
+    return exponent == 0 || at == 0 ? words : fmt::format("{}e{}", words, exponent);
+  };
+}
 
 }  // namespace
 
@@ -66,7 +59,7 @@ std::vector<Tick> ticks(double low, double high, double most, double step) {
   std::vector<Tick> all;
   const double first = std::ceil(low / step);
   if (!(step > 0) || !(std::fabs(first) < 0x1p52)) return all;  // doubles there have no such steps
-  const AxisWords words(step, std::max({std::fabs(low), std::fabs(high), step}));
+  const auto words = axis_words(step, std::max({std::fabs(low), std::fabs(high), step}));
   for (auto k = static_cast<std::int64_t>(first); static_cast<double>(k) * step <= high; ++k) {
     const double at = static_cast<double>(k) * step;
     all.push_back({at, words(at)});

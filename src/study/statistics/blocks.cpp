@@ -10,48 +10,29 @@
 #include "base/parallel.h"
 
 namespace flatray {
-namespace {
-
-// Results as they come, handed on in order.
-class InOrder {
- public:
-  explicit InOrder(const std::function<void(Numbers&&)>& take) : take_(take) {}
-
-  void put(std::size_t block, Numbers&& result) {
-    const std::lock_guard lock(mutex_);
-    early_.emplace(block, std::move(result));
-    ++there_;
-    for (; !early_.empty() && early_.begin()->first == next_; ++next_)
-      take_(std::move(early_.extract(early_.begin()).mapped()));
-  }
-  std::size_t there() const { return there_; }
-
- private:
-  std::mutex mutex_;
-  std::map<std::size_t, Numbers> early_;  // whose turn has not come
-  std::size_t next_ = 0, there_ = 0;
-  const std::function<void(Numbers&&)>& take_;
-};
-
-}  // namespace
-
 Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
                          const std::function<Numbers(std::size_t)>& task,
                          const std::function<void(Numbers&&)>& take) {
   RunMonitor silent;
   RunMonitor& monitor = context.monitor != nullptr ? *context.monitor : silent;
-  InOrder results(take);
+  std::mutex mutex;
+  std::map<std::size_t, Numbers> early;  // results whose turn has not come
+  std::size_t next = 0, there = 0;
   monitor.begin(count);
   parallel_for(count, context.threads, [&](std::size_t block) {
     auto known = monitor.kept(block);
     if (!known && monitor.stopped()) return;
     Numbers result = known ? std::move(*known) : task(block);
     monitor.done(block, result);
-    results.put(block, std::move(result));
+    const std::lock_guard lock(mutex);
+    early.emplace(block, std::move(result));
+    ++there;
+    for (; !early.empty() && early.begin()->first == next; ++next)
+      take(std::move(early.extract(early.begin()).mapped()));
   });
-  if (results.there() == count) return {};
+  if (there == count) return {};
   return fail(context.scene.where,
-              fmt::format("stopped after {} of {}", results.there(), counted(count, "block")));
+              fmt::format("stopped after {} of {}", there, counted(count, "block")));
 }
 
 Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::size_t count,

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <span>
 
@@ -42,14 +43,11 @@ struct Blocks {
 
   /// Some hundred blocks of at most 1024 items.
   static Blocks of(std::uint64_t items) {
-    const std::uint64_t size = items / 128;
-    return {items, size < 16 ? 16 : size > 1024 ? 1024 : size};
+    return {items, std::clamp<std::uint64_t>(items / 128, 16, 1024)};
   }
   std::size_t count() const { return static_cast<std::size_t>((items + size - 1) / size); }
   std::uint64_t begin(std::size_t block) const { return block * size; }
-  std::uint64_t end(std::size_t block) const {
-    return begin(block) + size < items ? begin(block) + size : items;
-  }
+  std::uint64_t end(std::size_t block) const { return std::min(begin(block) + size, items); }
 };
 
 /// Runs `task(begin, end, some)` for every block, items [begin, end), with sums of its own that

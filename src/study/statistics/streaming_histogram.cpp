@@ -20,15 +20,11 @@ double StreamingHistogram::count() const {
   return std::accumulate(counts_.begin(), counts_.end(), 0.0);
 }
 
-double StreamingHistogram::density(std::size_t bin, double all) const {
-  return all > 0 ? counts_[bin] / (all * width_) : 0;
-}
-
 Table StreamingHistogram::table() const {
   Table table({"from", "to", "count", "density"});
   const double all = count();
   for (std::size_t i = 0; i + 1 < counts_.size(); ++i)
-    table.add({from(i), from(i) + width_, counts_[i], density(i, all)});
+    table.add({from(i), from(i) + width_, counts_[i], all > 0 ? counts_[i] / (all * width_) : 0});
   table.add({from(counts_.size() - 1), kInfinity, counts_.back(), ""});
   return table;
 }
@@ -39,15 +35,13 @@ void StreamingHistogram::add_files(ExperimentResult& result, const std::string& 
   NpyTable numbers(
       {{"from", Kind::real}, {"to", Kind::real}, {"count", Kind::whole}, {"density", Kind::real}},
       counts_.size());
-  const double all = count();
-  for (std::size_t i = 0; i < counts_.size(); ++i) {
-    const bool last = i + 1 == counts_.size();
-    numbers.add(from(i));
-    numbers.add(last ? kInfinity : from(i) + width_);
-    numbers.add(static_cast<std::uint64_t>(counts_[i]));
-    numbers.add(last ? 0.0 : density(i, all));
+  const Table bins = table();
+  for (const Values& row : bins.rows) {
+    for (const std::size_t end : {0U, 1U}) numbers.add(*row[end].as_number());
+    numbers.add(*row[2].as_whole());
+    numbers.add(row[3].as_number().value_or(0));
   }
-  result.files.push_back(csv_file(name, table()));
+  result.files.push_back(csv_file(name, bins));
   result.files.push_back({name + ".npy", std::move(numbers).take(), caption});
 }
 

@@ -30,7 +30,6 @@ class StreamingHistogram {
 
  private:
   double from(std::size_t bin) const { return low_ + width_ * static_cast<double>(bin); }
-  double density(std::size_t bin, double all) const;
 
   double low_, width_;
   Numbers counts_;  // one more than there are bins
