@@ -30,7 +30,7 @@ struct Body {
   Vec2 velocity() const { return motion.at.c[1]; }
 };
 
-enum class Answer { apart, meet, grazing };
+enum class Answer { apart, grazing, meet };
 
 // About where an entity is in a frame, and how it goes on to the next.
 struct Whereabouts {
@@ -46,8 +46,7 @@ bool far_apart(const Whereabouts& a, const Whereabouts& b, double way) {
 }
 
 Whereabouts about(const std::vector<Vec2>& ring) {
-  Bounds box;
-  for (const Vec2& point : ring) box.add(point);
+  const Bounds box = box_about(ring);
   return {box.centre(), box.size().norm(), {0, 0}, 0};
 }
 
@@ -245,11 +244,8 @@ class TouchFinder {
                          length);
     }
     Answer answer = Answer::apart;
-    for (std::size_t frame = 0; frame + 1 < states_.size(); ++frame) {
-      const Answer one = meet_in_frame(frame, a, b);
-      if (one == Answer::meet) return one;
-      if (one == Answer::grazing) answer = one;
-    }
+    for (std::size_t frame = 0; frame + 1 < states_.size() && answer != Answer::meet; ++frame)
+      answer = std::max(answer, meet_in_frame(frame, a, b));
     return answer;
   }
 
@@ -268,10 +264,9 @@ class TouchFinder {
     Answer answer = Answer::apart;
     for (double from = begin; const double to : times) {
       if (to == from) continue;
-      const Answer now =
-          bodies_meet(body(frame, a, from, to, whole), body(frame, b, from, to, whole), bent, 1);
-      if (now == Answer::meet) return now;
-      if (now == Answer::grazing) answer = now;
+      answer = std::max(answer, bodies_meet(body(frame, a, from, to, whole),
+                                            body(frame, b, from, to, whole), bent, 1));
+      if (answer == Answer::meet) break;
       from = to;
     }
     return answer;

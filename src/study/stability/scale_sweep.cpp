@@ -24,14 +24,10 @@ struct Little {
 // About the unit square; of the rays a third go exactly from corner to corner.
 Little little_room(std::uint64_t seed) {
   oracle::Draw draw(seed, kSweepFamily, 0);
-  const auto point = [&] {
-    const double x = draw.unit(), y = draw.unit();
-    return Vec2(x, y);
-  };
   Little room;
   std::vector<Vec2> corners;
   for (int i = 0; i < kPolygons; ++i) {
-    const Vec2 centre = point();
+    const Vec2 centre = draw.point();
     const double radius = 0.02 + 0.1 * draw.unit(), turn = kFullTurn * draw.unit();
     const int count = 3 + i % 2;
     std::vector<Vec2> ring;
@@ -43,12 +39,9 @@ Little little_room(std::uint64_t seed) {
       room.walls.add(Segment{ring[k], ring[(k + 1) % ring.size()]});
     corners.insert(corners.end(), ring.begin(), ring.end());
   }
-  const auto corner = [&] {
-    return corners[static_cast<std::size_t>(draw.below(static_cast<int>(corners.size())))];
-  };
   for (int i = 0; i < kRays; ++i) {
-    const Vec2 from = i % 3 == 0 ? corner() : point();
-    const Vec2 to = i % 3 == 2 ? point() : corner();
+    const Vec2 from = i % 3 == 0 ? draw.any(corners) : draw.point();
+    const Vec2 to = i % 3 == 2 ? draw.point() : draw.any(corners);
     room.rays.push_back({from, to - from});
   }
   return room;
