@@ -4,7 +4,6 @@
 
 #include "geom/hit_interval.h"
 #include "geom/polygon.h"
-#include "geom/polygon_edges.h"
 #include "trace/exact_nearest.h"
 
 namespace flatray {

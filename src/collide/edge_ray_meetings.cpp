@@ -7,7 +7,7 @@
 #include "collide/broad_phase.h"
 #include "geom/box_tree.h"
 #include "geom/clip.h"
-#include "geom/polygon_edges.h"
+#include "geom/polygon.h"
 
 namespace flatray {
 namespace {

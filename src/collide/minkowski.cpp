@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geom/polygon.h"
-#include "geom/polygon_edges.h"
 
 namespace flatray {
 namespace {

@@ -10,7 +10,6 @@
 #include "collide/near_bodies.h"
 #include "collide/simulate.h"
 #include "geom/polygon.h"
-#include "geom/polygon_edges.h"
 #include "scene/responses.h"
 
 namespace flatray {

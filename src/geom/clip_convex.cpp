@@ -2,7 +2,7 @@
 
 #include "geom/clip.h"
 #include "geom/clip_range.h"
-#include "geom/polygon_edges.h"
+#include "geom/polygon.h"
 #include "geom/sides.h"
 
 namespace flatray {

@@ -2,7 +2,6 @@
 #include "geom/clip_range.h"
 #include "geom/decide.h"
 #include "geom/polygon.h"
-#include "geom/polygon_edges.h"
 
 namespace flatray {
 namespace {

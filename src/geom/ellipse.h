@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,5 +62,14 @@ double chord_count(const EllipseArc& arc, double sagitta);
 ///         than 2^17 of them (half-diameters up to 2 * 10^9 times the sagitta); larger arcs keep
 ///         as many. Where arcs are scaled up, the points stay at the same places of the arc.
 std::vector<Vec2> flattened(const ArcPath& path, double sagitta);
+
+/// An edge of a path: an arc, or the straight line from one point to another.
+struct PathWall {
+  Vec2 from, to;
+  std::optional<EllipseArc> arc;
+};
+/// Those of a path in turn, by which its edges are numbered: arcs, and the lines that join them. A corner
+/// is none.
+std::vector<PathWall> walls_of(const ArcPath& path);
 
 }  // namespace flatray

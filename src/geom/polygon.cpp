@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "geom/bounds.h"
 #include "geom/decide.h"
-#include "geom/polygon_edges.h"
+#include "geom/ring_sweep.h"
 
 namespace flatray {
 namespace {
@@ -36,6 +37,31 @@ Turns turns_of(std::span<const Vec2> ring, std::span<const std::size_t> edges) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> proper_edges(std::span<const Vec2> ring) {
+  std::vector<std::size_t> edges;
+  edges.reserve(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (ring[i] != edge_end(ring, i)) edges.push_back(i);
+  return edges;
+}
+
+StartPlace place_in_convex(const Vec2& point, std::span<const Vec2> ring) {
+  bool left = false, right = false, on_line = false;
+  Bounds bounds;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &a = ring[i], &b = edge_end(ring, i);
+    bounds.add(a);
+    const Sign side = orientation(a, b, point);
+    left |= side == Sign::positive;
+    right |= side == Sign::negative;
+    on_line |= side == Sign::zero && a != b;
+  }
+  if (left && right) return StartPlace::outside;
+  if (left || right) return on_line ? StartPlace::boundary : StartPlace::inside;
+  // On the line of every edge: the ring is a segment or a point, which its bounds describe.
+  return bounds.contains(point) ? StartPlace::boundary : StartPlace::outside;
+}
 
 Sign ring_orientation(std::span<const Vec2> ring) {
   if (ring.size() < 3) return Sign::zero;
@@ -109,6 +135,18 @@ void mend_convex(std::vector<Vec2>& ring) {
     for (std::size_t i = (before + 1) % n; ring[i] == corner; i = (i + 1) % n)
       ring[i] = ring[before];
   }
+}
+
+std::optional<CrossingEdges> crossing_edges(std::span<const Vec2> ring) {
+  const std::vector<std::size_t> edges = proper_edges(ring);
+  std::vector<Vec2> points;
+  points.reserve(edges.size());
+  for (const std::size_t edge : edges) points.push_back(ring[edge]);
+  RingSweep sweep(points);
+  while (sweep.next()) {
+  }
+  if (!sweep.crossing()) return std::nullopt;
+  return CrossingEdges{edges[sweep.crossing()->first], edges[sweep.crossing()->second]};
 }
 
 }  // namespace flatray

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/source_text.h"
-#include "geom/path_walls.h"
+#include "geom/ellipse.h"
 
 namespace flatray {
 
