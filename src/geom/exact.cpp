@@ -23,29 +23,22 @@ constexpr std::size_t kLongBits = 4096;
 struct Integer {
   mpz_t z;
   Integer() { mpz_init(z); }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
+  Integer(const Integer& other) : Integer() { *this = other; }
+  Integer& operator=(const Integer& other) {
+    mpz_set(z, other.z);
+    return *this;
+  }
   ~Integer() { mpz_clear(z); }
 };
 
 // top * 2^exponent / bottom. Doubles, their sums and products have no bottom and are never divided
 // out; where there is one it need not be in lowest terms.
 struct Value {
-  mpz_t top, bottom;  // bottom > 0, or 0 in place of 1
+  Integer top, bottom;  // bottom > 0, or 0 in place of 1
   long exponent = 0;
 
-  Value() {
-    mpz_init(top);
-    mpz_init(bottom);
-  }
-  Value(const Value&) = delete;
-  Value& operator=(const Value&) = delete;
-  ~Value() {
-    mpz_clear(top);
-    mpz_clear(bottom);
-  }
-  bool is_zero() const { return mpz_sgn(top) == 0; }
-  bool has_bottom() const { return mpz_sgn(bottom) != 0; }
+  bool is_zero() const { return mpz_sgn(top.z) == 0; }
+  bool has_bottom() const { return mpz_sgn(bottom.z) != 0; }
 };
 
 Value& value(std::byte* storage) { return *std::launder(reinterpret_cast<Value*>(storage)); }
@@ -57,42 +50,36 @@ void shift_left(mpz_t z, long bits) { mpz_mul_2exp(z, z, static_cast<mp_bitcnt_t
 // floor(z / 2^bits)
 void shift_right(mpz_t z, long bits) { mpz_fdiv_q_2exp(z, z, static_cast<mp_bitcnt_t>(bits)); }
 
-void copy(const Value& from, Value& to) {
-  mpz_set(to.top, from.top);
-  mpz_set(to.bottom, from.bottom);
-  to.exponent = from.exponent;
-}
-
 void multiply_bottom(Value& a, const mpz_t factor) {
   if (a.has_bottom())
-    mpz_mul(a.bottom, a.bottom, factor);
+    mpz_mul(a.bottom.z, a.bottom.z, factor);
   else
-    mpz_set(a.bottom, factor);
+    mpz_set(a.bottom.z, factor);
 }
 
 // Makes the top and the bottom coprime.
 void reduce(Value& a) {
   if (!a.has_bottom()) return;
   Integer common;
-  mpz_gcd(common.z, a.top, a.bottom);
-  mpz_divexact(a.top, a.top, common.z);
-  mpz_divexact(a.bottom, a.bottom, common.z);
+  mpz_gcd(common.z, a.top.z, a.bottom.z);
+  mpz_divexact(a.top.z, a.top.z, common.z);
+  mpz_divexact(a.bottom.z, a.bottom.z, common.z);
 }
 // The same, and both odd.
 void shorten(Value& a) {
   reduce(a);
   if (a.is_zero()) return;
-  const auto twos = static_cast<long>(mpz_scan1(a.top, 0));
-  shift_right(a.top, twos);
+  const auto twos = static_cast<long>(mpz_scan1(a.top.z, 0));
+  shift_right(a.top.z, twos);
   a.exponent += twos;
 }
 void shorten_if_long(Value& a) {
-  if (mpz_sizeinbase(a.top, 2) + mpz_sizeinbase(a.bottom, 2) > kLongBits) shorten(a);
+  if (mpz_sizeinbase(a.top.z, 2) + mpz_sizeinbase(a.bottom.z, 2) > kLongBits) shorten(a);
 }
 
 // top * 2^left over the bottom of a sum or difference, in `out`.
 void scale_top(const Value& q, const mpz_t factor, long left, mpz_t out) {
-  mpz_srcptr top = q.top;
+  mpz_srcptr top = q.top.z;
   if (mpz_sgn(factor) != 0) {
     mpz_mul(out, top, factor);
     top = out;
@@ -103,70 +90,67 @@ void scale_top(const Value& q, const mpz_t factor, long left, mpz_t out) {
 // sum = a + sign * b; `sum` is neither of them.
 void add(const Value& a, const Value& b, int sign, Value& sum) {
   if (a.is_zero() || b.is_zero()) {
-    copy(a.is_zero() ? b : a, sum);
-    if (a.is_zero() && sign < 0) mpz_neg(sum.top, sum.top);
+    sum = a.is_zero() ? b : a;
+    if (a.is_zero() && sign < 0) mpz_neg(sum.top.z, sum.top.z);
     return;
   }
   sum.exponent = std::min(a.exponent, b.exponent);
   const auto combine = sign < 0 ? mpz_sub : mpz_add;
-  const bool one_bottom = mpz_cmp(a.bottom, b.bottom) == 0;
+  const bool one_bottom = mpz_cmp(a.bottom.z, b.bottom.z) == 0;
   if (one_bottom && a.exponent == b.exponent) {
-    combine(sum.top, a.top, b.top);
+    combine(sum.top.z, a.top.z, b.top.z);
   } else {
     const Value none;
     Integer other;
-    scale_top(a, one_bottom ? none.bottom : b.bottom, a.exponent - sum.exponent, sum.top);
-    scale_top(b, one_bottom ? none.bottom : a.bottom, b.exponent - sum.exponent, other.z);
-    combine(sum.top, sum.top, other.z);
+    scale_top(a, one_bottom ? none.bottom.z : b.bottom.z, a.exponent - sum.exponent, sum.top.z);
+    scale_top(b, one_bottom ? none.bottom.z : a.bottom.z, b.exponent - sum.exponent, other.z);
+    combine(sum.top.z, sum.top.z, other.z);
   }
-  mpz_set(sum.bottom, a.bottom);
-  if (!one_bottom && b.has_bottom()) multiply_bottom(sum, b.bottom);
+  mpz_set(sum.bottom.z, a.bottom.z);
+  if (!one_bottom && b.has_bottom()) multiply_bottom(sum, b.bottom.z);
   shorten_if_long(sum);
 }
 
 // product = a * b; `product` is neither of them.
 void multiply(const Value& a, const Value& b, Value& product) {
-  mpz_mul(product.top, a.top, b.top);
+  mpz_mul(product.top.z, a.top.z, b.top.z);
   product.exponent = a.exponent + b.exponent;
   if (!a.has_bottom() || !b.has_bottom())
-    mpz_set(product.bottom, a.has_bottom() ? a.bottom : b.bottom);
+    mpz_set(product.bottom.z, a.has_bottom() ? a.bottom.z : b.bottom.z);
   else
-    mpz_mul(product.bottom, a.bottom, b.bottom);
+    mpz_mul(product.bottom.z, a.bottom.z, b.bottom.z);
   shorten_if_long(product);
 }
 
 void divide(Value& a, const Value& b) {
-  Integer divisor;
-  mpz_set(divisor.z, b.top);
+  Integer divisor = b.top;
   const int sign = mpz_sgn(divisor.z);
   const auto twos = static_cast<long>(mpz_scan1(divisor.z, 0));
   shift_right(divisor.z, twos);
   mpz_abs(divisor.z, divisor.z);
   const long exponent = b.exponent + twos;
-  if (b.has_bottom()) mpz_mul(a.top, a.top, b.bottom);
+  if (b.has_bottom()) mpz_mul(a.top.z, a.top.z, b.bottom.z);
   if (mpz_cmp_ui(divisor.z, 1) != 0) multiply_bottom(a, divisor.z);
   a.exponent -= exponent;
-  if (sign < 0) mpz_neg(a.top, a.top);
+  if (sign < 0) mpz_neg(a.top.z, a.top.z);
   shorten_if_long(a);
 }
 
 // floor(log2 |q|) or one less. Needs q != 0.
 long log2_estimate(const Value& q) {
-  return static_cast<long>(mpz_sizeinbase(q.top, 2)) + q.exponent - 1 -
-         (q.has_bottom() ? static_cast<long>(mpz_sizeinbase(q.bottom, 2)) : 1);
+  return static_cast<long>(mpz_sizeinbase(q.top.z, 2)) + q.exponent - 1 -
+         (q.has_bottom() ? static_cast<long>(mpz_sizeinbase(q.bottom.z, 2)) : 1);
 }
 
 std::strong_ordering compare(const Value& a, const Value& b) {
-  const int sign = mpz_sgn(a.top);
-  if (sign != mpz_sgn(b.top)) return sign <=> mpz_sgn(b.top);
+  const int sign = mpz_sgn(a.top.z);
+  if (sign != mpz_sgn(b.top.z)) return sign <=> mpz_sgn(b.top.z);
   if (sign == 0) return std::strong_ordering::equal;
   const long size_a = log2_estimate(a), size_b = log2_estimate(b);
   if (std::labs(size_a - size_b) > 1) return size_a < size_b ? 0 <=> sign : sign <=> 0;
-  Integer left, right;
-  mpz_set(left.z, a.top);
-  mpz_set(right.z, b.top);
-  if (b.has_bottom()) mpz_mul(left.z, left.z, b.bottom);
-  if (a.has_bottom()) mpz_mul(right.z, right.z, a.bottom);
+  Integer left = a.top, right = b.top;
+  if (b.has_bottom()) mpz_mul(left.z, left.z, b.bottom.z);
+  if (a.has_bottom()) mpz_mul(right.z, right.z, a.bottom.z);
   shift_left(left.z, std::max(0L, a.exponent - b.exponent));
   shift_left(right.z, std::max(0L, b.exponent - a.exponent));
   return mpz_cmp(left.z, right.z) <=> 0;
@@ -175,8 +159,7 @@ std::strong_ordering compare(const Value& a, const Value& b) {
 // floor(q * 2^shift) into `out`; returns whether that was exact.
 bool scaled_floor(const Value& q, long shift, mpz_t out) {
   shift += q.exponent;
-  Integer top, bottom, rest;
-  mpz_set(top.z, q.top);
+  Integer top = q.top;
   if (shift >= 0) shift_left(top.z, shift);
   if (!q.has_bottom()) {
     const bool exact = shift >= 0 || mpz_divisible_2exp_p(top.z, static_cast<mp_bitcnt_t>(-shift));
@@ -184,7 +167,7 @@ bool scaled_floor(const Value& q, long shift, mpz_t out) {
     mpz_swap(out, top.z);
     return exact;
   }
-  mpz_set(bottom.z, q.bottom);
+  Integer bottom = q.bottom, rest;
   if (shift < 0) shift_left(bottom.z, -shift);
   mpz_fdiv_qr(out, rest.z, top.z, bottom.z);
   return mpz_sgn(rest.z) == 0;
@@ -250,19 +233,19 @@ Rational::Rational(double finite) {
   const auto digits =
       static_cast<std::int64_t>(std::ldexp(std::frexp(finite, &exponent), kMantissaBits));
   const int twos = std::countr_zero(static_cast<std::uint64_t>(digits));
-  mpz_set_si(made.top, digits >> twos);
+  mpz_set_si(made.top.z, digits >> twos);
   made.exponent = exponent - kMantissaBits + twos;
 }
-Rational::Rational(const Rational& other) { copy(value(other.storage_), *new (storage_) Value); }
+Rational::Rational(const Rational& other) { new (storage_) Value(value(other.storage_)); }
 Rational::Rational(Rational&& other) noexcept : Rational() { *this = std::move(other); }
 Rational& Rational::operator=(const Rational& other) {
-  copy(value(other.storage_), value(storage_));
+  value(storage_) = value(other.storage_);
   return *this;
 }
 Rational& Rational::operator=(Rational&& other) noexcept {
   Value &a = value(storage_), &b = value(other.storage_);
-  mpz_swap(a.top, b.top);
-  mpz_swap(a.bottom, b.bottom);
+  mpz_swap(a.top.z, b.top.z);
+  mpz_swap(a.bottom.z, b.bottom.z);
   std::swap(a.exponent, b.exponent);
   return *this;
 }
@@ -289,12 +272,12 @@ Rational& Rational::operator/=(const Rational& b) {
 }
 Rational Rational::operator-() const {
   Rational opposite = *this;
-  mpz_ptr top = value(opposite.storage_).top;
-  mpz_neg(top, top);
+  Integer& top = value(opposite.storage_).top;
+  mpz_neg(top.z, top.z);
   return opposite;
 }
 
-Sign Rational::sign() const { return static_cast<Sign>(mpz_sgn(value(storage_).top)); }
+Sign Rational::sign() const { return static_cast<Sign>(mpz_sgn(value(storage_).top.z)); }
 
 std::strong_ordering Rational::operator<=>(const Rational& b) const {
   return compare(value(storage_), value(b.storage_));
@@ -302,21 +285,15 @@ std::strong_ordering Rational::operator<=>(const Rational& b) const {
 bool Rational::operator==(const Rational& b) const { return *this <=> b == 0; }
 
 double Rational::nearest() const {
-  switch (sign()) {
-    case Sign::zero:
-      return 0;
-    case Sign::positive:
-      return nearest_positive(value(storage_));
-    case Sign::negative:
-      break;
-  }
+  if (sign() == Sign::zero) return 0;
+  if (sign() == Sign::positive) return nearest_positive(value(storage_));
   const Rational opposite = -*this;
   return -nearest_positive(value(opposite.storage_));
 }
 
 Rational Rational::floor() const {
   Rational whole;
-  scaled_floor(value(storage_), 0, value(whole.storage_).top);
+  scaled_floor(value(storage_), 0, value(whole.storage_).top.z);
   return whole;
 }
 
@@ -324,7 +301,7 @@ std::size_t Rational::bits() const {
   Rational copied = *this;
   Value& q = value(copied.storage_);
   shorten(q);
-  return std::max(mpz_sizeinbase(q.top, 2), mpz_sizeinbase(q.bottom, 2));
+  return std::max(mpz_sizeinbase(q.top.z, 2), mpz_sizeinbase(q.bottom.z, 2));
 }
 
 std::string Rational::text() const {
@@ -333,15 +310,15 @@ std::string Rational::text() const {
   Integer bottom;
   mpz_set_ui(bottom.z, 1);
   shift_left(bottom.z, std::max(0L, -q.exponent));
-  shift_left(q.top, std::max(0L, q.exponent));
+  shift_left(q.top.z, std::max(0L, q.exponent));
   multiply_bottom(q, bottom.z);
   reduce(q);
-  std::string digits(mpz_sizeinbase(q.top, 10) + mpz_sizeinbase(q.bottom, 10) + 3, '\0');
-  mpz_get_str(digits.data(), 10, q.top);
+  std::string digits(mpz_sizeinbase(q.top.z, 10) + mpz_sizeinbase(q.bottom.z, 10) + 3, '\0');
+  mpz_get_str(digits.data(), 10, q.top.z);
   digits.resize(digits.find('\0'));
-  if (mpz_cmp_ui(q.bottom, 1) == 0) return digits;
-  std::string below(mpz_sizeinbase(q.bottom, 10) + 2, '\0');
-  mpz_get_str(below.data(), 10, q.bottom);
+  if (mpz_cmp_ui(q.bottom.z, 1) == 0) return digits;
+  std::string below(mpz_sizeinbase(q.bottom.z, 10) + 2, '\0');
+  mpz_get_str(below.data(), 10, q.bottom.z);
   return digits + "/" + below.c_str();
 }
 
@@ -370,11 +347,11 @@ std::optional<Rational> Rational::exact_root(const Rational& q) {
   Value& shortest = value(root.storage_);
   shorten(shortest);  // the bottom is always odd
   if (shortest.is_zero()) return Rational(0);
-  const bool square = shortest.exponent % 2 == 0 && mpz_perfect_square_p(shortest.top) != 0 &&
-                      mpz_perfect_square_p(shortest.bottom) != 0;
+  const bool square = shortest.exponent % 2 == 0 && mpz_perfect_square_p(shortest.top.z) != 0 &&
+                      mpz_perfect_square_p(shortest.bottom.z) != 0;
   if (!square) return std::nullopt;
-  mpz_sqrt(shortest.top, shortest.top);
-  mpz_sqrt(shortest.bottom, shortest.bottom);
+  mpz_sqrt(shortest.top.z, shortest.top.z);
+  mpz_sqrt(shortest.bottom.z, shortest.bottom.z);
   shortest.exponent /= 2;
   return root;
 }
@@ -386,8 +363,8 @@ double Rational::root_sum(const Rational& p, int s, const Rational& q) {
   const long k = 96 - log2_estimate(value(q.storage_)) / 2;
   Rational r;
   Value& root = value(r.storage_);
-  scaled_floor(value(q.storage_), 2 * k, root.top);
-  mpz_sqrt(root.top, root.top);
+  scaled_floor(value(q.storage_), 2 * k, root.top.z);
+  mpz_sqrt(root.top.z, root.top.z);
   root.exponent = -k;
   if (s < 0) r = -r;
   // Where p and the root differ in sign they may cancel: p + r = (p^2 - q) / (p - r).
