@@ -50,15 +50,12 @@ bool ends_before(const Arc& arc, const Vec2& point, const Vec2& reach) {
 
 // Where a tangent touches: the middle between two roots that are one.
 Vec2 touched(const Ray& ray, const Ellipse& curve) {
-  const auto coordinate = [&](int axis) {
-    return round_once([&](const auto& number) {
-      const auto d = curve_form(number, curve, pair_of(number, ray.direction));
-      const auto w =
-          curve_form(number, curve, pair_of(number, curve.centre) - pair_of(number, ray.origin));
-      return number(ray.origin[axis]) + number(ray.direction[axis]) * (dot(w, d) / dot(d, d));
-    });
-  };
-  return {coordinate(0), coordinate(1)};
+  return round_both([&](const auto& number) {
+    const auto o = pair_of(number, ray.origin), along = pair_of(number, ray.direction);
+    const auto d = curve_form(number, curve, along);
+    const auto w = curve_form(number, curve, pair_of(number, curve.centre) - o);
+    return o + (dot(w, d) / dot(d, d)) * along;
+  });
 }
 
 }  // namespace
