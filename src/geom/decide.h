@@ -23,20 +23,15 @@ template <class Work>
 [[gnu::target("fma"), gnu::flatten]] void work_fused(const Work& work) {
   work();
 }
-inline bool has_fused() { return __builtin_cpu_supports("fma"); }
-#else
-template <class Work>
-void work_fused(const Work& work) {
-  work();
-}
-constexpr bool has_fused() { return true; }
 #endif
-
 /// Runs `work`, all of it inlined, with fused multiplication where the machine has it; the bits are
 /// the same.
 template <class Work>
 void with_fused(const Work& work) {
-  has_fused() ? work_fused(work) : work();
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("fma")) return work_fused(work);
+#endif
+  work();
 }
 
 /// Any point of the box of half sides `reach` about a point.
