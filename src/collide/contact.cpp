@@ -57,8 +57,7 @@ class MovingDifference {
   // When the origin crosses its line.
   HitTime crossing(std::size_t k) const {
     const Segment line = edge(k);
-    return HitTime::on_moving_line({vertex_b(k), b_.velocity}, vertex_a(k), line.a, line.b,
-                                   a_.velocity);
+    return HitTime::on_line({vertex_b(k), b_.velocity}, vertex_a(k), line.a, line.b, a_.velocity);
   }
   // Side of a corner seen along the way: positive to the left.
   Sign side(std::size_t k) const {

@@ -23,23 +23,36 @@ namespace flatray {
 ///         division for each end of the interval.
 /// Source  the paper's table 1 and eq. 3, as corrected in docs/DEVIATIONS.md; docs/NUMERICS.md
 ///         proves it.
-HitInterval clip_convex(const Ray& ray, std::span<const Vec2> vertices, Range within = kRay);
+///
+/// The polygon may move with `velocity`, its t being those of the ray: so may what follows.
+HitInterval clip_convex(const Ray& ray, std::span<const Vec2> vertices, Range within = kRay,
+                        const Vec2& velocity = {0, 0});
 
-/// Part of `ray` inside a closed disc. Radius 0 is a point. Error as above; edges are kNoEdge.
-HitInterval clip_circle(const Ray& ray, const Circle& circle, Range within = kRay);
-
-/// The same inside a closed ellipse.
-HitInterval clip_ellipse(const Ray& ray, const Ellipse& ellipse, Range within = kRay);
+/// Part of `ray` inside a closed ellipse. Error as above; edges are kNoEdge.
+HitInterval clip_ellipse(const Ray& ray, const Ellipse& ellipse, Range within = kRay,
+                         const Vec2& velocity = {0, 0});
+/// The same inside a closed disc. Radius 0 is a point.
+inline HitInterval clip_circle(const Ray& ray, const Circle& circle, Range within = kRay) {
+  return clip_ellipse(ray, circle, within);
+}
 
 /// Part of `ray` on a closed segment: touch where they cross, along where they overlap.
-HitInterval clip_segment(const Ray& ray, const Segment& segment, Range within = kRay);
+HitInterval clip_segment(const Ray& ray, const Segment& segment, Range within = kRay,
+                         const Vec2& velocity = {0, 0});
 
 /// Part of an edge inside a closed convex polygon, an ellipse, or on a segment, t from 0 at its first point
 /// to 1 at its second. It is clipped as it is, whose direction may be no double: a ray to the second point
 /// against a shape that moves there from the origin. Error as above.
-HitInterval clip_edge(const Segment& edge, std::span<const Vec2> vertices, Range within = kSegment);
-HitInterval clip_edge(const Segment& edge, const Ellipse& ellipse, Range within = kSegment);
-HitInterval clip_edge(const Segment& edge, const Segment& segment, Range within = kSegment);
+inline HitInterval clip_edge(const Segment& edge, std::span<const Vec2> vertices,
+                             Range within = kSegment) {
+  return clip_convex({edge.a, edge.b}, vertices, within, edge.a);
+}
+inline HitInterval clip_edge(const Segment& edge, const Ellipse& ellipse, Range within = kSegment) {
+  return clip_ellipse({edge.a, edge.b}, ellipse, within, edge.a);
+}
+inline HitInterval clip_edge(const Segment& edge, const Segment& segment, Range within = kSegment) {
+  return clip_segment({edge.a, edge.b}, segment, within, edge.a);
+}
 
 /// One edge of a clip as the paper's table 3 shows it, for people: see `flatray hit`.
 struct ClipStep {
@@ -52,9 +65,6 @@ struct ClipStep {
 
 /// The same clip edge by edge. Stops after the edge that makes it a miss.
 std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices,
-                                 Range within = kRay);
-/// Those of clip_edge.
-std::vector<ClipStep> clip_edge_steps(const Segment& edge, std::span<const Vec2> vertices,
-                                      Range within = kSegment);
+                                 Range within = kRay, const Vec2& velocity = {0, 0});
 
 }  // namespace flatray

@@ -17,15 +17,19 @@ struct LineHitOf {
 
 using LineHit = LineHitOf<HitTime>;
 
-/// The part of `line` within a range, its class there, and where t = 0 lies. Exact but for the
-/// rounding of t. Needs   enter <= exit.
-template <class Time>
-HitInterval clip_to_range(const LineHitOf<Time>& line, Range within);
-
-HitInterval clip_to_range(const LineHit& line, Range within);
+/// Where a point lies that is to the inner side of a boundary, on it, or beyond.
+constexpr StartPlace start_place(Sign inside) {
+  return inside == Sign::negative ? StartPlace::outside
+         : inside == Sign::zero   ? StartPlace::boundary
+                                  : StartPlace::inside;
+}
 
 /// The answer for a ray without direction, whose origin lies at `place`: the whole range or a miss.
-HitInterval point_test(StartPlace place, Range within);
+inline HitInterval point_test(StartPlace place, Range within) {
+  if (place == StartPlace::outside || within.low > within.high) return {.start = place};
+  const HitClass kind = place == StartPlace::inside ? HitClass::through : HitClass::touch;
+  return {.t_enter = within.low, .t_exit = within.high, .kind = kind, .start = place};
+}
 
 namespace clipping {
 
@@ -70,6 +74,8 @@ HitClass class_within(const LineHitOf<Time>& line, Range within, std::strong_ord
 
 }  // namespace clipping
 
+/// The part of `line` within a range, its class there, and where t = 0 lies. Exact but for the
+/// rounding of t. Needs   enter <= exit.
 template <class Time>
 HitInterval clip_to_range(const LineHitOf<Time>& line, Range within) {
   HitInterval hit;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "geom/clip.h"
 #include "geom/clip_range.h"
 #include "geom/decide.h"
@@ -13,9 +15,8 @@ class Candidate {
 
   // `inside` is the sign of the numerator, `way` that of the denominator.
   void add(int edge, Sign inside, Sign way, const HitTime& time) {
-    if (inside == Sign::negative) outside_ = true;
-    if (inside == Sign::zero) boundary_ = true;
-    if (way == Sign::negative && is_beyond(time, line_.enter)) {
+    start_ = std::min(start_, start_place(inside));
+    if (way == Sign::negative && (!line_.enter || compare(time, *line_.enter) > 0)) {
       line_.enter = time;
       line_.edge_enter = edge;
     }
@@ -23,7 +24,9 @@ class Candidate {
       line_.exit = time;
       line_.edge_exit = edge;
     }
-    if (way == Sign::zero) parallel(inside);
+    if (way != Sign::zero) return;
+    if (inside == Sign::negative) line_.kind = HitClass::miss;
+    if (inside == Sign::zero && line_.kind == HitClass::through) line_.kind = HitClass::along;
   }
 
   HitInterval interval() const {
@@ -34,24 +37,14 @@ class Candidate {
       if (order == 0) line.kind = HitClass::touch;
     }
     HitInterval hit = clip_to_range(line, within_);
-    hit.start = outside_    ? StartPlace::outside
-                : boundary_ ? StartPlace::boundary
-                            : StartPlace::inside;
+    hit.start = start_;
     return hit;
   }
 
  private:
-  static bool is_beyond(const HitTime& time, const std::optional<HitTime>& enter) {
-    return !enter || compare(time, *enter) > 0;
-  }
-  void parallel(Sign inside) {
-    if (inside == Sign::negative) line_.kind = HitClass::miss;
-    if (inside == Sign::zero && line_.kind == HitClass::through) line_.kind = HitClass::along;
-  }
-
   LineHit line_;
   Range within_;
-  bool outside_ = false, boundary_ = false;
+  StartPlace start_ = StartPlace::inside;
 };
 
 // The row of one edge; `turn` is negative for a clockwise polygon, whose normals it turns outward.
@@ -70,9 +63,10 @@ ClipStep step_of_edge(const Ray& ray, const Vec2& velocity, const Segment& edge,
   return step;
 }
 
-// All but the last candidate, where none is a miss, of a ray against a polygon that moves.
-std::vector<ClipStep> steps_of(const Ray& ray, const Vec2& velocity, std::span<const Vec2> vertices,
-                               Range within) {
+}  // namespace
+
+std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices, Range within,
+                                 const Vec2& velocity) {
   std::vector<ClipStep> steps;
   const Sign turn = ring_orientation(vertices);
   Candidate candidate(within);
@@ -81,7 +75,7 @@ std::vector<ClipStep> steps_of(const Ray& ray, const Vec2& velocity, std::span<c
     if (edge.a == edge.b) continue;
     const Sign side = orientation(edge.a, edge.b, ray.origin);
     ClipStep step = step_of_edge(ray, velocity, edge, turn);
-    const HitTime time = HitTime::on_moving_line(ray, edge.a, edge.a, edge.b, velocity);
+    const HitTime time = HitTime::on_line(ray, edge.a, edge.a, edge.b, velocity);
     if (step.kind != 0) step.t = time.nearest().t;
     step.edge = static_cast<int>(i);
     candidate.add(step.edge, turn == Sign::negative ? -side : side, static_cast<Sign>(step.kind),
@@ -90,25 +84,10 @@ std::vector<ClipStep> steps_of(const Ray& ray, const Vec2& velocity, std::span<c
     steps.push_back(step);
     if (step.candidate.kind == HitClass::miss) break;
   }
+  // A polygon without area also ends where its edges do, and the last row is always the answer.
+  if (!steps.empty() && steps.back().candidate)
+    steps.back().candidate = clip_convex(ray, vertices, within, velocity);
   return steps;
-}
-
-// A polygon without area also ends where its edges do, and the last row is always the answer.
-std::vector<ClipStep> ended(std::vector<ClipStep> steps, const HitInterval& answer) {
-  if (!steps.empty() && steps.back().candidate) steps.back().candidate = answer;
-  return steps;
-}
-
-}  // namespace
-
-std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices, Range within) {
-  return ended(steps_of(ray, {0, 0}, vertices, within), clip_convex(ray, vertices, within));
-}
-
-std::vector<ClipStep> clip_edge_steps(const Segment& edge, std::span<const Vec2> vertices,
-                                      Range within) {
-  return ended(steps_of({edge.a, edge.b}, edge.a, vertices, within),
-               clip_edge(edge, vertices, within));
 }
 
 }  // namespace flatray

@@ -19,24 +19,19 @@ auto line_time(const Make& number, const Ray& ray, const Vec2& p, const Vec2& fr
 
 }  // namespace
 
-HitTime HitTime::on_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to) {
+HitTime HitTime::on_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
+                         const Vec2& velocity) {
   HitTime time;
   time.ray_ = ray;
   time.p_ = p;
   time.from_ = from;
   time.to_ = to;
-  return time;
-}
-
-HitTime HitTime::on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
-                                const Vec2& velocity) {
-  HitTime time = on_line(ray, p, from, to);
   time.velocity_ = velocity;
   return time;
 }
 
 HitTime HitTime::on_curve(const Ray& ray, const Ellipse& curve, Root root, const Vec2& velocity) {
-  HitTime time = on_moving_line(ray, curve.centre, curve.u, curve.v, velocity);
+  HitTime time = on_line(ray, curve.centre, curve.u, curve.v, velocity);
   time.root_ = root_sign(root);
   return time;
 }

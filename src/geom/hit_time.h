@@ -27,14 +27,12 @@ class HitTime {
  public:
   HitTime() = default;  ///< No hit: only to be assigned to.
 
-  /// Where `ray` crosses the line through `p` along to - from. Needs a ray that is not parallel to
-  /// it.
-  static HitTime on_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to);
+  /// Where `ray` crosses the line through `p` along to - from, which may move with `velocity` as a
+  /// point moves along the ray. Needs a ray that is not parallel to it.
+  static HitTime on_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
+                         const Vec2& velocity = {0, 0});
   /// Where `ray` crosses the line through a segment. Needs a ray that is not parallel to it.
   static HitTime on_line(const Ray& ray, const Segment& s) { return on_line(ray, s.a, s.a, s.b); }
-  /// The same for a line that moves with `velocity`, and a point that moves along the ray.
-  static HitTime on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
-                                const Vec2& velocity);
   /// Where `ray` comes to the foot of the perpendicular from a point. Needs a direction that is not
   /// zero.
   static HitTime abreast(const Ray& ray, const Vec2& point) {

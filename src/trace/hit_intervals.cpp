@@ -16,24 +16,22 @@ constexpr std::size_t kBlock =
     256;  // rays of a call of the kernel: what it gives stays in the first cache
 static_assert(kBlock % lanes::kWidest == 0);
 
-// The ring closed by its first vertex, and its box.
+// The ring closed by its first vertex, as the kernels take it too.
 struct ClosedRing {
   std::vector<Vec2> vertices;
-  Bounds box;
-  explicit ClosedRing(std::span<const Vec2> polygon)
-      : vertices(polygon.begin(), polygon.end()), box(box_about(polygon)) {
-    vertices.push_back(polygon.front());
+  lanes::Polygon polygon;
+
+  explicit ClosedRing(std::span<const Vec2> ring) : vertices(ring.begin(), ring.end()) {
+    vertices.push_back(ring.front());
+    const auto [low, high] = box_about(ring);
+    polygon = {vertices.front().data(),
+               static_cast<int>(ring.size()),
+               low.x(),
+               low.y(),
+               high.x(),
+               high.y()};
   }
 };
-
-lanes::Polygon lane_polygon(const ClosedRing& ring) {
-  return {ring.vertices.front().data(),
-          static_cast<int>(ring.vertices.size() - 1),
-          ring.box.low.x(),
-          ring.box.low.y(),
-          ring.box.high.x(),
-          ring.box.high.y()};
-}
 
 HitTime time_on_edge(const Ray& ray, const ClosedRing& ring, int edge) {
   const auto from = static_cast<std::size_t>(edge);
@@ -46,8 +44,8 @@ HitInterval finish(const Ray& ray, const ClosedRing& ring, Sign turn, double dow
   const bool forward = turn == Sign::positive;
   const int enter = static_cast<int>(forward ? down : up);
   const int exit = static_cast<int>(forward ? up : down);
-  return clip_to_range({time_on_edge(ray, ring, enter), time_on_edge(ray, ring, exit), enter, exit,
-                        HitClass::through},
+  return clip_to_range(LineHit{time_on_edge(ray, ring, enter), time_on_edge(ray, ring, exit), enter,
+                               exit, HitClass::through},
                        within);
 }
 
@@ -62,12 +60,11 @@ void clip_convex_batch(const RayBatch& rays, std::span<const Vec2> polygon, Rang
     return;
   }
   const ClosedRing ring(polygon);
-  const lanes::Polygon lane_ring = lane_polygon(ring);
   RayBlock block;
   std::array<double, kBlock> down, up;
   for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
     const std::size_t count = std::min(kBlock, rays.size() - begin);
-    lane_kernels(isa).clip(lane_ring, block.take(rays, begin, count), {down.data(), up.data()});
+    lane_kernels(isa).clip(ring.polygon, block.take(rays, begin, count), {down.data(), up.data()});
     for (std::size_t i = 0; i < count; ++i) {
       const Ray ray = rays.ray(begin + i);
       intervals[begin + i] = down[i] == lanes::kMissed ? HitInterval{}

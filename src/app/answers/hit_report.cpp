@@ -73,11 +73,11 @@ HitStep as_step(const ClipStep& step, const NamedRay& ray, const Piece& piece) {
 
 HitReport clip_piece(const NamedRay& ray, std::string against, const Piece& piece, Range within) {
   HitReport report{ray, std::move(against), within, {}, {}, "", ""};
-  for (const ClipStep& step : ray.edge ? clip_edge_steps(*ray.edge, piece.vertices, within)
-                                       : clip_steps(ray.ray, piece.vertices, within))
+  const Ray clipped = ray.edge ? Ray{ray.edge->a, ray.edge->b} : ray.ray;  // as clip_edge() does
+  const Vec2 velocity = ray.edge ? ray.edge->a : Vec2(0, 0);
+  for (const ClipStep& step : clip_steps(clipped, piece.vertices, within, velocity))
     report.steps.push_back(as_step(step, ray, piece));
-  report.hit = ray.edge ? clip_edge(*ray.edge, piece.vertices, within)
-                        : clip_convex(ray.ray, piece.vertices, within);
+  report.hit = clip_convex(clipped, piece.vertices, within, velocity);
   const auto exact = [&](int edge) {
     return edge == kNoEdge
                ? std::string()
