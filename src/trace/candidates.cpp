@@ -37,10 +37,10 @@ void Candidates::offer_curve(std::uint32_t surface) {
   if (is_known(surface)) return;
   ++tested_;
   const Root left = surface == departed_.surface ? departed_.root : Root::none;
-  const FilteredCurve hit =
+  const FilteredHit hit =
       walls_.visit(surface, [&](const auto& wall) { return filter_curve(ray_, wall, left); });
-  if (hit.verdict == FilteredCurve::Verdict::missed || hit.low > high_) return;
-  take({surface, hit.low, hit.verdict == FilteredCurve::Verdict::sure, hit.root}, hit.high);
+  if (hit.verdict == FilteredHit::Verdict::missed || hit.low > high_) return;
+  take({surface, hit.low, hit.verdict == FilteredHit::Verdict::sure, hit.root}, hit.high);
 }
 
 void Candidates::take_segment(std::uint32_t slot, double t) {

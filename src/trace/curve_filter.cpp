@@ -9,9 +9,9 @@
 namespace flatray {
 namespace {
 
-using Verdict = FilteredCurve::Verdict;
-constexpr FilteredCurve kMissed{Verdict::missed, 0, 0, Root::none};
-constexpr FilteredCurve kOpen{Verdict::open, -kInfinity, kInfinity, Root::none};
+using Verdict = FilteredHit::Verdict;
+constexpr FilteredHit kMissed{Verdict::missed, 0, 0, Root::none};
+constexpr FilteredHit kOpen{Verdict::open, -kInfinity, kInfinity, Root::none};
 
 // Whether a ray surely passes by what joins an arc's end to its curve: that is no longer than |k| times
 // the way from the centre, where 1 + k is the square of the end's share of the radius.
@@ -43,15 +43,15 @@ std::optional<bool> crosses_between(const Ray& ray, const Arc& wall, const Near&
 }
 
 // By the roots themselves, where all of them are certain; `least` is before all that are ahead.
-FilteredCurve filter_roots(const Ray& ray, const Bezier& wall, double least) {
+FilteredHit filter_roots(const Ray& ray, const Bezier& wall, double least) {
   const auto plain = [](const Near& x) { return x.value(); };
-  const FilteredCurve open{Verdict::open, least, kInfinity, Root::none};
+  const FilteredHit open{Verdict::open, least, kInfinity, Root::none};
   const auto roots = bernstein_roots(kNear, plain, beside_ray(kNear, wall, ray), 1);
   if (!roots) return open;
   const auto d = pair_of(kNear, ray.direction);
   const auto ahead = ahead_of_ray(kNear, wall, ray);
   RootNames names;
-  FilteredCurve first{Verdict::missed, kInfinity, kInfinity, Root::none};
+  FilteredHit first{Verdict::missed, kInfinity, kInfinity, Root::none};
   for (const auto& [s, multiplicity, slope] : *roots) {
     const Root name = names.next(multiplicity, slope);
     const Near t = form_at(kNear, wall, ahead, s) / dot(d, d);
@@ -65,7 +65,7 @@ FilteredCurve filter_roots(const Ray& ray, const Bezier& wall, double least) {
 
 }  // namespace
 
-[[gnu::flatten]] FilteredCurve filter_curve(const Ray& ray, const Arc& wall, Root left) {
+[[gnu::flatten]] FilteredHit filter_curve(const Ray& ray, const Arc& wall, Root left) {
   if (is_departed_for_good(wall, left)) return kMissed;
   if (wall.extent == Arc::Extent::between)
     for (const Vec2& end : {wall.from, wall.to})
@@ -87,7 +87,7 @@ FilteredCurve filter_roots(const Ray& ray, const Bezier& wall, double least) {
 
 // By its control points, if they tell: a polynomial has no more roots than its coefficients change signs,
 // and no value beyond them. The wall it leaves is met again only ahead of the origin.
-FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, Root) {
+FilteredHit filter_curve(const Ray& ray, const Bezier& wall, Root) {
   const auto d = pair_of(kNear, ray.direction), origin = pair_of(kNear, ray.origin);
   const Near speed = dot(d, d);
   double low = kInfinity, high = -kInfinity;
@@ -110,6 +110,6 @@ FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, Root) {
   return {Verdict::sure, least, most, last == Sign::positive ? Root::first : Root::second};
 }
 
-FilteredCurve filter_curve(const Ray&, const Segment&, Root) { return kOpen; }
+FilteredHit filter_curve(const Ray&, const Segment&, Root) { return kOpen; }
 
 }  // namespace flatray

@@ -4,14 +4,15 @@
 
 namespace flatray {
 
-/// What doubles with bounds can say of a ray and a segment.
+/// What doubles with bounds can say of a ray and a wall.
 struct FilteredHit {
-  enum class Verdict {
+  enum class Verdict : std::uint8_t {
     missed,  ///< surely not met at t >= 0
-    sure,    ///< surely met at t > 0 and between its ends
+    sure,    ///< surely met at t > 0, between its ends, there for the first time
     open
   } verdict;
-  double low, high;  ///< t is surely between, where the segment is met at all
+  double low, high;        ///< t is surely between, where the wall is met at all
+  Root root = Root::none;  ///< of a curve, where sure
 };
 
 /// What is sure of a ray and a segment without exact arithmetic: by the sides of its ends a, b, and

@@ -279,7 +279,7 @@ std::vector<std::uint32_t> WallCells::near(const Ray& ray) const {
     const auto filter = [&](const auto& wall) {
       return filter_curve(ray, wall, Root::none).verdict;
     };
-    return walls_.visit(surface, filter) == FilteredCurve::Verdict::missed;
+    return walls_.visit(surface, filter) == FilteredHit::Verdict::missed;
   });
   return all.surfaces;
 }

@@ -11,7 +11,7 @@
 namespace flatray {
 namespace {
 
-using Verdict = FilteredCurve::Verdict;
+using Verdict = FilteredHit::Verdict;
 
 // Of 1000 rays and a circle, in any unit: what doubles tell is as much, and no less, as in units of 1.
 TEST(CurveFilter, TellsAsMuchOfRaysInAnyUnit) {
@@ -22,7 +22,7 @@ TEST(CurveFilter, TellsAsMuchOfRaysInAnyUnit) {
     for (int i = 0; i < 1000; ++i) {
       const Vec2 from = 4 * draws.point() - Vec2(4, 2);
       const Vec2 way = draws.point() - Vec2(0, 0.5);
-      const FilteredCurve met = filter_curve({unit * from, unit * way}, circle, Root::none);
+      const FilteredHit met = filter_curve({unit * from, unit * way}, circle, Root::none);
       open += met.verdict == Verdict::open ? 1 : 0;
       if (met.verdict == Verdict::sure) {
         EXPECT_LE(met.low, met.high);
@@ -39,7 +39,7 @@ TEST(CurveFilter, IsNeverSureOfATangent) {
       const Vec2 centre = Vec2(7 * k + 3, 11 * k - 5), at = centre + Vec2(3, 4);
       const Arc circle{Circle{unit * centre, 5 * unit}, Arc::Extent::whole, {0, 0}, {0, 0}};
       const Vec2 way(4 * (k + 1), -3 * (k + 1));
-      const FilteredCurve met = filter_curve({unit * (at - way), unit * way}, circle, Root::none);
+      const FilteredHit met = filter_curve({unit * (at - way), unit * way}, circle, Root::none);
       EXPECT_EQ(met.verdict, Verdict::open) << k;
     }
 }
@@ -47,7 +47,7 @@ TEST(CurveFilter, IsNeverSureOfATangent) {
 // What is told of a ray is what the exact meeting says. Gives whether anything is told.
 template <class Wall>
 bool tells_what_is_true(const Ray& ray, const Wall& wall, Root left) {
-  const FilteredCurve filtered = filter_curve(ray, wall, left);
+  const FilteredHit filtered = filter_curve(ray, wall, left);
   std::vector<WallMeeting> met;
   meet(wall, ray, {left, true, true}, met);
   std::erase_if(met, [](const WallMeeting& one) { return one.time.sign() == Sign::negative; });
