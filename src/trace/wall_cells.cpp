@@ -129,17 +129,12 @@ void WallCells::divide() {
   visit_passed([&](std::uint32_t i, std::size_t cell) { listed_[next[cell]++] = i; });
 }
 
-// Whether a part of a wall may lie in the cells, or within kMargin of them.
+// Whether a part of a wall may lie in the box of half sides `half` about a point, which is seen from low_.
 template <class Wall>
-bool WallCells::may_pass(const Wall& wall, const Rect& rect) const {
-  const Vec2 half = side_ * Vec2(0.5 * rect.width + kMargin, 0.5 * rect.height + kMargin);
-  const Vec2 middle = side_ * Vec2(rect.left + 0.5 * rect.width, rect.bottom + 0.5 * rect.height);
+bool WallCells::may_pass(const Wall& wall, const Vec2& middle, const Vec2& half) const {
   return passes_near(wall, low_ + middle, half);
 }
-
-bool WallCells::may_pass(const Arc& arc, const Rect& rect) const {
-  const Vec2 half = side_ * Vec2(0.5 * rect.width + kMargin, 0.5 * rect.height + kMargin);
-  const Vec2 middle = side_ * Vec2(rect.left + 0.5 * rect.width, rect.bottom + 0.5 * rect.height);
+bool WallCells::may_pass(const Arc& arc, const Vec2& middle, const Vec2& half) const {
   const Bounds box = bounds_of(arc);
   const Vec2 below = box.low - low_ - middle, above = box.high - low_ - middle;
   if (below.x() > half.x() || below.y() > half.y() || above.x() < -half.x() ||
@@ -155,8 +150,10 @@ bool WallCells::may_pass(const Arc& arc, const Rect& rect) const {
 
 template <class Wall, class Visit>
 void WallCells::visit_cells(const Wall& wall, const Rect& rect, const Visit& visit) const {
-  if (!may_pass(wall, rect)) return;
   const auto [left, bottom, width, height] = rect;
+  // They reach kMargin beyond the cells.
+  const Vec2 half = side_ * Vec2(0.5 * width + kMargin, 0.5 * height + kMargin);
+  if (!may_pass(wall, side_ * Vec2(left + 0.5 * width, bottom + 0.5 * height), half)) return;
   if (width == 1 && height == 1)
     return visit(static_cast<std::size_t>(bottom) * static_cast<std::size_t>(columns_) +
                  static_cast<std::size_t>(left));

@@ -39,7 +39,17 @@ class WallCells {
     const auto offer = [&](std::uint32_t wall) {
       if (keep(surface(wall))) found.push_back(surface(wall));
     };
-    visit_near(point, offer);
+    if (begin_.empty()) {
+      visit_all(offer);
+      return found;
+    }
+    const Rect near = cells_of({point, point});
+    for (int y = near.bottom; y < near.bottom + near.height; ++y)
+      for (int x = near.left; x < near.left + near.width; ++x) {
+        const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                                 static_cast<std::size_t>(x);
+        for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) offer(listed_[i]);
+      }
     if (found.size() > 1) {
       std::sort(found.begin(), found.end());
       found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -74,18 +84,6 @@ class WallCells {
   void visit_all(const Visit& visit) const {
     for (std::uint32_t i = 0; i < count_; ++i) visit(i);
   }
-  // Some twice.
-  template <class Visit>
-  void visit_near(const Vec2& point, const Visit& visit) const {
-    if (begin_.empty()) return visit_all(visit);
-    const Rect near = cells_of({point, point});
-    for (int y = near.bottom; y < near.bottom + near.height; ++y)
-      for (int x = near.left; x < near.left + near.width; ++x) {
-        const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                                 static_cast<std::size_t>(x);
-        for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) visit(listed_[i]);
-      }
-  }
   void divide();
   // Those that a box comes near to: 4 ulps of a place in it and its own rounding are under 2^-9 each.
   Rect cells_of(const Bounds& box) const {
@@ -106,9 +104,9 @@ class WallCells {
   }
   template <class Wall, class Visit>
   void visit_cells(const Wall& wall, const Rect& rect, const Visit& visit) const;
-  bool may_pass(const Arc& arc, const Rect& rect) const;
+  bool may_pass(const Arc& arc, const Vec2& middle, const Vec2& half) const;
   template <class Wall>
-  bool may_pass(const Wall& wall, const Rect& rect) const;
+  bool may_pass(const Wall& wall, const Vec2& middle, const Vec2& half) const;
 
   const Surfaces& walls_;
   const bool of_curves_;
