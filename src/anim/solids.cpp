@@ -16,8 +16,8 @@ constexpr double kPi = 0x1.921fb54442d18p+1;
 bool is_within(const Surfaces& outline, const Vec2& point) {
   if (outline.size() == 0) return false;
   for (double turn = 1;; turn += 1) {
-    ExactHits every(outline, {point, {turn, 1}}, {}, true);
-    every.offers().offer_all();
+    ExactNearest every(outline, {point, {turn, 1}}, {}, true, true);
+    every.offer_all();
     const std::vector<NearestHit> hits = every.hits();
     if (!hits.empty() && hits.front().t == 0) return true;
     const bool doubtful = std::any_of(hits.begin(), hits.end(), [](const NearestHit& hit) {

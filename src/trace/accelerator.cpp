@@ -52,8 +52,8 @@ bool Accelerator::any_of_one(const Ray& ray, double up_to, const DepartedSurface
 
 std::vector<NearestHit> Accelerator::all_of_one(const Ray& ray, const DepartedSurface& departed,
                                                 bool tangents) const {
-  ExactHits every(walls_, ray, departed, tangents);
-  every.offers().offer_all();
+  ExactNearest every(walls_, ray, departed, tangents, true);
+  every.offer_all();
   return every.hits();
 }
 

@@ -71,16 +71,16 @@ std::vector<std::uint32_t> CellSearch::segments_near(const Ray& ray) const {
 
 std::vector<NearestHit> CellSearch::all(const Ray& ray, const DepartedSurface& departed,
                                         bool tangents) const {
-  ExactHits every(walls_, ray, departed, tangents);
+  ExactNearest every(walls_, ray, departed, tangents, true);
   if (ray.direction == Vec2(0, 0)) {
-    every.offers().offer_all();
+    every.offer_all();
     return every.hits();
   }
   const SegmentFilter filter(ray);
   for (const std::uint32_t slot : segments_near(ray))
     if (filter(walls_.segments[slot]).verdict != FilteredHit::Verdict::missed)
-      every.offers().offer(walls_.segment_numbers[slot]);
-  for (const std::uint32_t surface : curves_.near(ray)) every.offers().offer(surface);
+      every.offer(walls_.segment_numbers[slot]);
+  for (const std::uint32_t surface : curves_.near(ray)) every.offer(surface);
   return every.hits();
 }
 

@@ -4,17 +4,18 @@
 
 namespace flatray {
 ExactNearest::ExactNearest(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
-                           bool tangents)
+                           bool tangents, bool all)
     : walls_(walls),
       ray_(ray),
       departed_(departed),
       tangents_(tangents),
-      point_test_(ray.direction == Vec2(0, 0)) {}
+      point_test_(ray.direction == Vec2(0, 0)),
+      all_(all) {}
 
 void ExactNearest::offer(const NearestHit& hit, const HitTime& time) {
   if (time.sign() == Sign::negative) return;
-  if (every_ != nullptr) {
-    every_->push_back({hit, time});
+  if (all_) {
+    every_.push_back({hit, time});
     return;
   }
   if (best_time_) {
@@ -28,8 +29,8 @@ void ExactNearest::offer(const NearestHit& hit, const HitTime& time) {
 void ExactNearest::offer_point_test(std::uint32_t number, PlaceOn place) {
   if (place == PlaceOn::outside) return;
   const NearestHit hit{number, HitClass::touch, Root::none, place == PlaceOn::at_end, 0};
-  if (every_ != nullptr)
-    every_->push_back({hit, std::nullopt});
+  if (all_)
+    every_.push_back({hit, std::nullopt});
   else if (number <= best_.surface)
     best_ = hit;
 }
@@ -40,7 +41,7 @@ void ExactNearest::offer(std::uint32_t surface) {
     if (left && is_departed_for_good(wall, departed_.root)) return;
     if (point_test_) return offer_point_test(surface, place_on(wall, ray_.origin));
     met_.clear();
-    meet(wall, ray_, {left ? departed_.root : Root::none, tangents_, every_ != nullptr}, met_);
+    meet(wall, ray_, {left ? departed_.root : Root::none, tangents_, all_}, met_);
     for (const WallMeeting& met : met_)
       offer({surface, met.kind, met.root, met.at_end, 0}, met.time);
   });
@@ -56,17 +57,11 @@ NearestHit ExactNearest::hit() const {
   return hit;
 }
 
-ExactHits::ExactHits(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
-                     bool tangents)
-    : search_(walls, ray, departed, tangents) {
-  search_.every_ = &every_;
-}
-
 // Rounding keeps order, so that exact times are compared only where the doubles are equal.
-std::vector<NearestHit> ExactHits::hits() {
-  for (ExactNearest::Timed& one : every_)
+std::vector<NearestHit> ExactNearest::hits() {
+  for (Timed& one : every_)
     if (one.time) one.hit.t = one.time->nearest().t;
-  const auto is_before = [](const ExactNearest::Timed& a, const ExactNearest::Timed& b) {
+  const auto is_before = [](const Timed& a, const Timed& b) {
     if (a.hit.t != b.hit.t) return a.hit.t < b.hit.t;
     if (a.time && b.time)
       if (const std::strong_ordering order = compare(*a.time, *b.time); order != 0)
@@ -76,7 +71,7 @@ std::vector<NearestHit> ExactHits::hits() {
   };
   std::sort(every_.begin(), every_.end(), is_before);
   std::vector<NearestHit> hits;
-  for (const ExactNearest::Timed& one : every_) hits.push_back(one.hit);
+  for (const Timed& one : every_) hits.push_back(one.hit);
   return hits;
 }
 

@@ -12,9 +12,9 @@ namespace flatray {
 /// compared: every exact tracer ends here where its bounds leave a doubt.
 class ExactNearest {
  public:
-  /// Needs   `walls` and what `departed` names to outlive it.
+  /// Needs   `walls` and what `departed` names to outlive it. `all`: keeps every hit, for hits().
   ExactNearest(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
-               bool tangents);
+               bool tangents, bool all = false);
 
   /// Offers a wall; what the ray does not meet, or has just left, changes nothing.
   void offer(std::uint32_t surface);
@@ -23,9 +23,10 @@ class ExactNearest {
   NearestHit hit() const;
   /// Its exact t; none where there is no hit, or the direction is zero.
   const std::optional<HitTime>& time() const { return best_time_; }
+  /// All of them, by t, equal t by number; of a curve the earlier root first.
+  std::vector<NearestHit> hits();
 
  private:
-  friend class ExactHits;
   void offer(const NearestHit& hit, const HitTime& time);
   void offer_point_test(std::uint32_t number, PlaceOn place);
 
@@ -40,20 +41,8 @@ class ExactNearest {
     NearestHit hit;
     std::optional<HitTime> time;
   };
-  std::vector<Timed>* every_ = nullptr;  // where all hits go, not the nearest alone
-};
-
-/// All hits of one ray among the walls offered, by the same rules.
-class ExactHits {
- public:
-  ExactHits(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed, bool tangents);
-  ExactNearest& offers() { return search_; }
-  /// By t, equal t by number; of a curve the earlier root first.
-  std::vector<NearestHit> hits();
-
- private:
-  ExactNearest search_;
-  std::vector<ExactNearest::Timed> every_;
+  const bool all_;
+  std::vector<Timed> every_;  // where all are kept
 };
 
 /// The hit of a wall known to be the nearest, crossed ahead and between its ends, in a root of a curve.

@@ -112,8 +112,8 @@ TEST_P(AllHits, OfCirclesAreThoseOfEachAlone) {
     const Ray ray{draw.grid_point(-9, 9), draw.grid_point(-4, 4)};
     std::vector<std::uint32_t> alone;
     for (std::uint32_t number = 0; number < walls.size(); ++number) {
-      ExactHits search(walls, ray, {}, true);
-      search.offers().offer(number);
+      ExactNearest search(walls, ray, {}, true, true);
+      search.offer(number);
       for (const NearestHit& hit : search.hits()) alone.push_back(hit.surface);
     }
     std::vector<std::uint32_t> found = numbers(accelerator->all_of_one(ray));

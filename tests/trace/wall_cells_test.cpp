@@ -135,8 +135,8 @@ TEST(WallCells, OfferEveryCurveThatARayMeets) {
           Vec2 beside = -1e3 * step;
           if (k % 4 != 0) beside = (k % 4) * (draw.point() - Vec2(0.5, 0.5));
           const Ray ray{point - beside, (k % 3 + 0.01) * beside};
-          ExactHits exact(curves.walls, ray, {}, true);
-          exact.offers().offer(i);
+          ExactNearest exact(curves.walls, ray, {}, true, true);
+          exact.offer(i);
           if (exact.hits().empty()) continue;
           const std::vector<std::uint32_t> found = cells.near(ray);
           EXPECT_TRUE(std::binary_search(found.begin(), found.end(), i))
@@ -156,8 +156,8 @@ TEST(WallCells, OfferCirclesThatRoundingMightPassBy) {
     const double angle = 6.28 * draw.unit(), way = k % 2 == 0 ? -1e8 : 1e8;
     const Vec2 normal(std::cos(angle), std::sin(angle)), along(-normal.y(), normal.x());
     const Ray ray{Vec2(0.3, -0.7) + 0.15 * normal - way * along, way * (draw.unit() + 1) * along};
-    ExactHits exact(walls, ray, {}, true);
-    exact.offers().offer_all();
+    ExactNearest exact(walls, ray, {}, true, true);
+    exact.offer_all();
     if (exact.hits().empty()) continue;
     EXPECT_EQ(cells.near(ray).size(), 1U);
     ++met;
