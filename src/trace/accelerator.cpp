@@ -57,15 +57,4 @@ std::vector<NearestHit> Accelerator::all_of_one(const Ray& ray, const DepartedSu
   return every.hits();
 }
 
-void Accelerator::all(const RayBatch& rays, std::vector<NearestHit>& hits,
-                      std::vector<std::size_t>& ends) const {
-  hits.clear();
-  ends.clear();
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const std::vector<NearestHit> met = all_of_one(rays.ray(i), rays.departed[i], rays.tangents);
-    hits.insert(hits.end(), met.begin(), met.end());
-    ends.push_back(hits.size());
-  }
-}
-
 }  // namespace flatray

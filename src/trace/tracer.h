@@ -52,9 +52,6 @@ class Accelerator {
   /// Cost    some us, and 1 us a hit.
   virtual std::vector<NearestHit> all_of_one(const Ray& ray, const DepartedSurface& departed = {},
                                              bool tangents = true) const;
-  /// The same of many rays, one after the other: `ends[i]` is where those of ray i end.
-  void all(const RayBatch& rays, std::vector<NearestHit>& hits,
-           std::vector<std::size_t>& ends) const;
   /// Bytes that it holds besides the walls themselves.
   virtual std::size_t bytes() const = 0;
   /// How the walls are kept, in words, and how many cells that makes: 0 where all is in lists.

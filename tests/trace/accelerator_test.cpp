@@ -124,16 +124,15 @@ TEST_P(AllHits, OfCirclesAreThoseOfEachAlone) {
   EXPECT_GT(met, 1000U);
 }
 
-TEST_P(AllHits, OfABatchFollowOneAnother) {
+TEST_P(AllHits, AreThoseAheadInOrderOfTime) {
   walls.add(Segment{{1, -1}, {1, 1}});
   walls.add(Segment{{2, -1}, {2, 1}});
-  RayBatch rays;
-  for (const double direction : {1.0, -1.0, 2.0}) rays.add({{0, 0}, {direction, 0}});
-  std::vector<NearestHit> hits;
-  std::vector<std::size_t> ends;
-  GetParam()->build(walls)->all(rays, hits, ends);
-  EXPECT_EQ(ends, (std::vector<std::size_t>{2, 2, 4}));
-  EXPECT_EQ(hits[3].t, 1);
+  const auto accelerator = GetParam()->build(walls);
+  EXPECT_EQ(accelerator->all_of_one({{0, 0}, {1, 0}}).size(), 2U);
+  EXPECT_TRUE(accelerator->all_of_one({{0, 0}, {-1, 0}}).empty());
+  const std::vector<NearestHit> hits = accelerator->all_of_one({{0, 0}, {2, 0}});
+  ASSERT_EQ(hits.size(), 2U);
+  EXPECT_EQ(hits[1].t, 1);
 }
 
 TEST_P(AnyHit, CountsTheWallAtTheLimitItself) {
