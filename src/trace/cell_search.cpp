@@ -23,7 +23,7 @@ void visit_segments(const Surfaces& walls, const CellGrid* listed, const CellGri
                     const Ray& ray, const Visit& visit, const Settled& settled) {
   std::optional<CellWalk> walk;
   if (grid != nullptr) walk.emplace(*grid, ray);
-  if (!walk || walk->start() == CellWalk::Start::uncertain) {
+  if (!walk || walk->is_uncertain()) {
     for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot)
       if (listed == nullptr || !listed->is_copy(slot)) visit(slot, kInfinity);
     return;

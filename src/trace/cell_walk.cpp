@@ -11,7 +11,7 @@ CellWalk::CellWalk(const CellGrid& grid, const Ray& ray) : grid_(grid) {
   const double square = along.squaredNorm(), far = grid.view().far;
   if (!(square > lanes::kLeastSquare && square < lanes::kLargestSquare &&
         std::fabs(origin_.x()) < far && std::fabs(origin_.y()) < far)) {
-    start_ = Start::uncertain;
+    uncertain_ = outside_ = true;
     return;
   }
   length_ = std::sqrt(square);
@@ -24,7 +24,7 @@ CellWalk::CellWalk(const CellGrid& grid, const Ray& ray) : grid_(grid) {
     const double into = std::max(0.0, (-half - origin_).cwiseQuotient(step_).maxCoeff());
     const double out = (half - origin_).cwiseQuotient(step_).minCoeff();
     if (out < into) {
-      start_ = Start::misses;
+      outside_ = true;
       return;
     }
     begin_ = into;
@@ -47,8 +47,7 @@ void CellWalk::enter() {
 }
 
 bool CellWalk::next() {
-  if (start_ != Start::walks) return false;
-  for (;;) {
+  while (!outside_) {
     if (entered_) {
       const Vec2 t = (exit_ - origin_).cwiseProduct(inverse_);
       const int across = t.x() < t.y() ? 0 : 1;
@@ -57,9 +56,9 @@ bool CellWalk::next() {
     }
     entered_ = true;
     enter();
-    if (outside_) return false;
-    if (!empty_) return true;
+    if (!outside_ && !empty_) return true;
   }
+  return false;
 }
 
 }  // namespace flatray

@@ -7,14 +7,10 @@ namespace flatray {
 /// kernels/walk_body.h for one ray.
 class CellWalk {
  public:
-  enum class Start {
-    walks,
-    misses,    ///< passes the grid by, or leaves it behind
-    uncertain  ///< too far away, or of a direction beyond sound arithmetic: any wall may be met
-  };
   /// Needs   `grid` to outlive it; a direction that is not zero.
   CellWalk(const CellGrid& grid, const Ray& ray);
-  Start start() const { return start_; }
+  /// Whether it is too far away, or of a direction beyond sound arithmetic: any wall may be met.
+  bool is_uncertain() const { return uncertain_; }
 
   /// Goes on to the next cell with walls; false beyond the last.
   bool next();
@@ -27,7 +23,6 @@ class CellWalk {
   void enter();
 
   const CellGrid& grid_;
-  Start start_ = Start::walks;
   CellGrid::Turn turn_;
   // In cells, turned so that the ray goes up and to the right; step_ is of unit length.
   Vec2 origin_, step_, inverse_;
@@ -35,7 +30,7 @@ class CellWalk {
   double begin_ = 0;  // t of origin_, which is on the border of the grid for rays from beyond it
   double exit_t_ = 0, length_ = 1, limit_ = 0;
   std::size_t record_ = 0;
-  bool entered_ = false, outside_ = false, empty_ = false;
+  bool uncertain_ = false, entered_ = false, outside_ = false, empty_ = false;
 };
 
 }  // namespace flatray
