@@ -107,7 +107,7 @@ lanes::Grid CellGrid::view() const {
   return grid;
 }
 
-CellGrid::Ends CellGrid::ends(const Segment& segment) const {
+Segment CellGrid::ends(const Segment& segment) const {
   return {place(segment.a), place(segment.b)};
 }
 

@@ -85,17 +85,14 @@ class CellGrid {
   bool operator==(const CellGrid&) const = default;
 
  private:
-  struct Ends {
-    Vec2 a, b;
-  };
   bool measure(const Surfaces& walls);
   void divide(const Surfaces& walls);
   void set_cells(std::int32_t columns, std::int32_t rows);
-  Ends ends(const Segment& segment) const;
+  Segment ends(const Segment& segment) const;  // in cells
   class Part;
   void fill(const Surfaces& walls, unsigned threads);
   void join(std::span<const Part> parts, std::span<const RowRange> rows, unsigned threads);
-  static void write_record(const Ends& ends, bool is_last, float* record);
+  static void write_record(const Segment& ends, bool is_last, float* record);
   void find_twins(const Surfaces& walls, unsigned threads);
   void find_copies(const Surfaces& walls, unsigned threads);
 

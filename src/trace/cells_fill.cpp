@@ -259,7 +259,7 @@ void CellGrid::join(std::span<const Part> parts, std::span<const RowRange> rows,
   });
 }
 
-void CellGrid::write_record(const Ends& e, bool is_last, float* record) {
+void CellGrid::write_record(const Segment& e, bool is_last, float* record) {
   const float row[] = {static_cast<float>(e.a.x()), static_cast<float>(e.a.y()),
                        static_cast<float>(e.b.x()), with_last_bit(e.b.y(), is_last)};
   std::copy_n(row, 4, record);

@@ -22,7 +22,10 @@ struct RayBatch {
 
   std::size_t size() const { return ox.size(); }
   Ray ray(std::size_t i) const { return {{ox[i], oy[i]}, {dx[i], dy[i]}}; }
-  void add(const Ray& ray, const DepartedSurface& from = {});
+  void add(const Ray& ray, const DepartedSurface& from = {}) {
+    resize(size() + 1);
+    set(size() - 1, ray, from);
+  }
   /// Puts another ray in the place of ray i.
   void set(std::size_t i, const Ray& ray, const DepartedSurface& from) {
     ox[i] = ray.origin.x(), oy[i] = ray.origin.y();
@@ -30,7 +33,10 @@ struct RayBatch {
     departed[i] = from;
   }
   /// Shortens the batch to its first `count` rays, or adds others for set().
-  void resize(std::size_t count);
+  void resize(std::size_t count) {
+    for (std::vector<double>* column : {&ox, &oy, &dx, &dy}) column->resize(count);
+    departed.resize(count);
+  }
 };
 
 }  // namespace flatray

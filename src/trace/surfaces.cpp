@@ -2,25 +2,19 @@
 
 namespace flatray {
 
-std::uint32_t Surfaces::add(const Segment& wall) {
-  segment_numbers.push_back(static_cast<std::uint32_t>(size()));
-  slots_.push_back(static_cast<std::uint32_t>(segments.size()));
-  segments.push_back(wall);
-  return segment_numbers.back();
+template <class Wall>
+std::uint32_t Surfaces::put(const Wall& wall, std::vector<Wall>& kind, std::uint32_t which,
+                            std::vector<std::uint32_t>& numbers) {
+  numbers.push_back(static_cast<std::uint32_t>(size()));
+  slots_.push_back(which + static_cast<std::uint32_t>(kind.size()));
+  kind.push_back(wall);
+  return numbers.back();
 }
 
-std::uint32_t Surfaces::add(const Arc& wall) {
-  curve_numbers.push_back(static_cast<std::uint32_t>(size()));
-  slots_.push_back(kCurved + static_cast<std::uint32_t>(arcs.size()));
-  arcs.push_back(wall);
-  return curve_numbers.back();
-}
-
+std::uint32_t Surfaces::add(const Segment& wall) { return put(wall, segments, 0, segment_numbers); }
+std::uint32_t Surfaces::add(const Arc& wall) { return put(wall, arcs, kCurved, curve_numbers); }
 std::uint32_t Surfaces::add(const Bezier& wall) {
-  curve_numbers.push_back(static_cast<std::uint32_t>(size()));
-  slots_.push_back(kBezier + static_cast<std::uint32_t>(beziers.size()));
-  beziers.push_back(wall);
-  return curve_numbers.back();
+  return put(wall, beziers, kBezier, curve_numbers);
 }
 
 Bounds bounds_of(const Surfaces& walls) {

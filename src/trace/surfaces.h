@@ -52,6 +52,10 @@ struct Surfaces {
   const Arc& arc(std::uint32_t surface) const { return arcs[slots_[surface] - kCurved]; }
 
  private:
+  template <class Wall>
+  std::uint32_t put(const Wall& wall, std::vector<Wall>& kind, std::uint32_t which,
+                    std::vector<std::uint32_t>& numbers);
+
   static constexpr std::uint32_t kCurved = 0x80000000U, kBezier = 0xc0000000U;
   std::vector<std::uint32_t> slots_;  // in the array of its kind, and which array
 };
