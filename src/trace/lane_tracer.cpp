@@ -161,9 +161,9 @@ class LaneTracer : public Accelerator {
 
 }  // namespace
 
-std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, const CellBuilder& cells_of,
+std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, std::optional<CellGrid> cells,
                                             Isa isa) {
-  return std::make_unique<LaneTracer>(walls, cells_of(walls), isa);
+  return std::make_unique<LaneTracer>(walls, std::move(cells), isa);
 }
 
 }  // namespace flatray

@@ -1,5 +1,6 @@
 #pragma once
-#include <functional>
+#include <memory>
+#include <optional>
 
 #include "base/isa.h"
 #include "trace/cells.h"
@@ -7,16 +8,13 @@
 
 namespace flatray {
 
-/// What sorts walls into cells, or into one list.
-using CellBuilder = std::function<std::optional<CellGrid>(const Surfaces& walls)>;
-
 /// Nearest hits by the kernels of tier `isa`: through cells, or every segment where there are none.
 /// What the lanes are not certain of is decided one by one, and so are curves, after the segments.
 /// Where coordinates are too large or too small for lanes, every ray is decided one by one.
 ///
-/// Needs   `walls` to outlive it.
+/// Needs   `walls` to outlive it; `cells` of them, none where coordinates leave no room for lanes.
 /// Gives   the same bits from every tier, and as every exact tracer.
-std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, const CellBuilder& cells_of,
+std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, std::optional<CellGrid> cells,
                                             Isa isa);
 
 }  // namespace flatray

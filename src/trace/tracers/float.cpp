@@ -32,14 +32,12 @@ class Float : public Accelerator {
   std::vector<plain::Line> edges_;
 };
 
-std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
-  return std::make_unique<Float>(walls);
-}
-
 }  // namespace
 
 extern const Tracer entry = {
     "float", "every wall in plain single precision: not exact, to see what that gets wrong", false,
-    &build};
+    [](const Surfaces& walls, Isa, unsigned) -> std::unique_ptr<Accelerator> {
+      return std::make_unique<Float>(walls);
+    }};
 
 }  // namespace flatray::float_tracer
