@@ -167,7 +167,7 @@ class Packet {
          at += 4, ++slot) {
       if (!is_recent(*slot)) {
         g_.record = all(static_cast<int>(*slot));
-        Mask out = either(but_not(all_lanes(), live_), equal(g_.best, g_.record));
+        Mask out = either(but_not(lanes_of(kEveryLane), live_), equal(g_.best, g_.record));
         if (some_departed) out = either(out, equal(departed_, g_.record));
         judge<true>(c_, spread_record(at), out, g_);
       }
@@ -191,8 +191,6 @@ class Packet {
     live_ = but_not(live_, less(smaller(g_.high, g_.other), exit - c_.near));
     return bits(live_) != 0;
   }
-
-  static Mask all_lanes() { return lanes_of(kEveryLane); }
 
   const Grid& grid_;
   const Constants c_;

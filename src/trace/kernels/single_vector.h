@@ -12,7 +12,6 @@ inline void store(float* to, Float value) { *to = value; }
 inline void store(unsigned* to, Int value) { *to = static_cast<unsigned>(value); }
 inline Float all(float value) { return value; }
 inline Int all(int value) { return value; }
-inline Mask none() { return false; }
 inline Mask less(Float a, Float b) { return a < b; }
 inline Mask equal(Float a, Float b) { return a == b; }
 inline Mask equal(Int a, Int b) { return a == b; }
@@ -32,14 +31,9 @@ inline Float fused(Float a, Float b, Float c) { return a * b + c; }
 inline Float fused_difference(Float a, Float b, Float c) { return a * b - c; }
 inline Int whole(Float a) { return static_cast<Int>(a); }
 inline Float real(Int a) { return static_cast<Float>(a); }
-inline Int word_bits(Float a) { return __builtin_bit_cast(Int, a); }
 inline Mask negative(Int a) { return a < 0; }
-inline Mask negative(Float a) { return word_bits(a) < 0; }
-inline Mask odd(Float a) { return (word_bits(a) & 1) != 0; }
-inline Int next(Int a) { return a + 1; }
-inline Int low_seven(Int a) { return a & 127; }
+inline Mask odd(Float a) { return (__builtin_bit_cast(Int, a) & 1) != 0; }
 inline Mask second_bit(Int a) { return (a >> 30 & 1) != 0; }
-inline Float exponent_of(Int a) { return __builtin_bit_cast(Float, a & 0x7f800000); }
 inline Int sixteenfold(Int a) { return (a & 0x7fffff) << 4; }
 inline Int sum(Int a, Int b) { return a + b; }
 inline Int shifted(Int a, Int by) { return static_cast<Int>(static_cast<unsigned>(a) >> by); }
@@ -59,7 +53,6 @@ inline void store(float* to, Float value) { _mm_storeu_ps(to, value); }
 inline void store(unsigned* to, Int value) { _mm_storeu_si128(reinterpret_cast<Int*>(to), value); }
 inline Float all(float value) { return _mm_set1_ps(value); }
 inline Int all(int value) { return _mm_set1_epi32(value); }
-inline Mask none() { return _mm_setzero_ps(); }
 inline Mask less(Float a, Float b) { return _mm_cmplt_ps(a, b); }
 inline Mask equal(Float a, Float b) { return _mm_cmpeq_ps(a, b); }
 inline Mask equal(Int a, Int b) { return _mm_castsi128_ps(_mm_cmpeq_epi32(a, b)); }
@@ -90,14 +83,9 @@ inline Float floor(Float a) {  // of what an Int can hold
   const Float down = real(whole(a));
   return down - _mm_and_ps(_mm_cmplt_ps(a, down), _mm_set1_ps(1));
 }
-inline Int word_bits(Float a) { return _mm_castps_si128(a); }
 inline Mask negative(Int a) { return _mm_castsi128_ps(_mm_srai_epi32(a, 31)); }
-inline Mask negative(Float a) { return negative(word_bits(a)); }
-inline Mask odd(Float a) { return negative(_mm_slli_epi32(word_bits(a), 31)); }
-inline Int next(Int a) { return _mm_add_epi32(a, all(1)); }
-inline Int low_seven(Int a) { return _mm_and_si128(a, _mm_set1_epi32(127)); }
+inline Mask odd(Float a) { return negative(_mm_slli_epi32(_mm_castps_si128(a), 31)); }
 inline Mask second_bit(Int a) { return negative(_mm_slli_epi32(a, 1)); }
-inline Float exponent_of(Int a) { return _mm_castsi128_ps(_mm_and_si128(a, all(0x7f800000))); }
 inline Int sixteenfold(Int a) { return _mm_slli_epi32(_mm_and_si128(a, all(0x7fffff)), 4); }
 inline Int sum(Int a, Int b) { return _mm_add_epi32(a, b); }
 inline Int shifted(Int a, Int by) {
@@ -136,7 +124,6 @@ inline void store(unsigned* to, Int value) {
 }
 inline Float all(float value) { return _mm256_set1_ps(value); }
 inline Int all(int value) { return _mm256_set1_epi32(value); }
-inline Mask none() { return _mm256_setzero_ps(); }
 inline Mask less(Float a, Float b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
 inline Mask equal(Float a, Float b) { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
 inline Mask equal(Int a, Int b) { return _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b)); }
@@ -162,16 +149,11 @@ inline Float fused(Float a, Float b, Float c) { return _mm256_fmadd_ps(a, b, c);
 inline Float fused_difference(Float a, Float b, Float c) { return _mm256_fmsub_ps(a, b, c); }
 inline Int whole(Float a) { return _mm256_cvttps_epi32(a); }
 inline Float real(Int a) { return _mm256_cvtepi32_ps(a); }
-inline Int word_bits(Float a) { return _mm256_castps_si256(a); }
 inline Mask negative(Int a) { return _mm256_castsi256_ps(a); }
-inline Mask negative(Float a) { return a; }
-inline Mask odd(Float a) { return _mm256_castsi256_ps(_mm256_slli_epi32(word_bits(a), 31)); }
-inline Int next(Int a) { return _mm256_add_epi32(a, all(1)); }
-inline Int low_seven(Int a) { return _mm256_and_si256(a, _mm256_set1_epi32(127)); }
-inline Mask second_bit(Int a) { return _mm256_castsi256_ps(_mm256_slli_epi32(a, 1)); }
-inline Float exponent_of(Int a) {
-  return _mm256_castsi256_ps(_mm256_and_si256(a, all(0x7f800000)));
+inline Mask odd(Float a) {
+  return _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_castps_si256(a), 31));
 }
+inline Mask second_bit(Int a) { return _mm256_castsi256_ps(_mm256_slli_epi32(a, 1)); }
 inline Int sixteenfold(Int a) { return _mm256_slli_epi32(_mm256_and_si256(a, all(0x7fffff)), 4); }
 inline Int sum(Int a, Int b) { return _mm256_add_epi32(a, b); }
 inline Int shifted(Int a, Int by) { return _mm256_srlv_epi32(a, by); }
@@ -201,7 +183,6 @@ inline void store(float* to, Float value) { _mm512_storeu_ps(to, value); }
 inline void store(unsigned* to, Int value) { _mm512_storeu_si512(to, value); }
 inline Float all(float value) { return _mm512_set1_ps(value); }
 inline Int all(int value) { return _mm512_set1_epi32(value); }
-inline Mask none() { return 0; }
 inline Mask less(Float a, Float b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 inline Mask equal(Float a, Float b) { return _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
 inline Mask equal(Int a, Int b) { return _mm512_cmpeq_epi32_mask(a, b); }
@@ -227,16 +208,9 @@ inline Float fused(Float a, Float b, Float c) { return _mm512_fmadd_ps(a, b, c);
 inline Float fused_difference(Float a, Float b, Float c) { return _mm512_fmsub_ps(a, b, c); }
 inline Int whole(Float a) { return _mm512_maskz_cvttps_epi32(0xffff, a); }
 inline Float real(Int a) { return _mm512_maskz_cvtepi32_ps(0xffff, a); }
-inline Int word_bits(Float a) { return _mm512_castps_si512(a); }
 inline Mask negative(Int a) { return _mm512_movepi32_mask(a); }
-inline Mask negative(Float a) { return negative(word_bits(a)); }
-inline Mask odd(Float a) { return _mm512_test_epi32_mask(word_bits(a), all(1)); }
-inline Int next(Int a) { return _mm512_add_epi32(a, all(1)); }
-inline Int low_seven(Int a) { return _mm512_and_si512(a, all(127)); }
+inline Mask odd(Float a) { return _mm512_test_epi32_mask(_mm512_castps_si512(a), all(1)); }
 inline Mask second_bit(Int a) { return _mm512_test_epi32_mask(a, all(0x40000000)); }
-inline Float exponent_of(Int a) {
-  return _mm512_castsi512_ps(_mm512_and_si512(a, all(0x7f800000)));
-}
 inline Int sixteenfold(Int a) {
   return _mm512_maskz_slli_epi32(0xffff, _mm512_and_si512(a, all(0x7fffff)), 4);
 }
@@ -249,3 +223,8 @@ inline float least(Float a) { return _mm512_reduce_min_ps(a); }
 inline Mask lanes_of(unsigned chosen) { return static_cast<Mask>(chosen); }
 #endif
 inline float most(Float a) { return -least(all(0.0F) - a); }
+inline Mask none() { return Mask{}; }
+inline Mask negative(Float a) { return negative(__builtin_bit_cast(Int, a)); }
+inline Int next(Int a) { return sum(a, all(1)); }
+inline Int low_seven(Int a) { return a & all(127); }
+inline Float exponent_of(Int a) { return __builtin_bit_cast(Float, a & all(0x7f800000)); }
