@@ -53,12 +53,13 @@ Image draw_view(const ViewRequest& request, const Tracer* tracer, const Scene& s
                         options.threads};
   FLATRAY_CHECK(!request.view->asks_for_all || tracer == nullptr || tracer->exact,
                 "the view asks for all walls of a ray");
-  const std::unique_ptr<ViewRows> rows = request.view->make(frame);
   Image image(frame.crop.width, frame.crop.height, 3);
-  parallel_for(static_cast<std::size_t>(image.height), options.threads, [&](std::size_t i) {
-    if (options.stopped()) return;
-    const int y = static_cast<int>(i);
-    rows->draw(frame.crop.y + y, image.at(0, y));
+  request.view->draw(frame, [&](const RowDrawer& draw_row) {
+    parallel_for(static_cast<std::size_t>(image.height), options.threads, [&](std::size_t i) {
+      if (options.stopped()) return;
+      const int y = static_cast<int>(i);
+      draw_row(frame.crop.y + y, image.at(0, y));
+    });
   });
   return image;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,13 +22,11 @@ struct ViewFrame {
   unsigned threads;
 };
 
-/// A frame made ready for one view, once for all rows: what its rays are asked of, and no more.
-class ViewRows {
- public:
-  virtual ~ViewRows() = default;
-  /// A row of the crop into `pixels`, three bytes each. `row` counts from the top of the film.
-  virtual void draw(int row, std::uint8_t* pixels) const = 0;
-};
+/// Draws a row of the crop into `pixels`, three bytes each; by any thread. `row` counts from the top of
+/// the film.
+using RowDrawer = std::function<void(int row, std::uint8_t* pixels)>;
+/// Takes what draws the rows of a frame, and has all of them drawn.
+using EachRow = std::function<void(const RowDrawer& draw)>;
 
 /// One kind of question asked of every pixel.
 struct View {
@@ -35,14 +34,9 @@ struct View {
   const char* summary;  ///< one line, no full stop
   bool takes_point;     ///< as in "visibility:x,y"
   bool asks_for_all;    ///< walls of a ray, not for the first alone: so of exact tracers only
-  std::unique_ptr<ViewRows> (*make)(const ViewFrame& frame);
+  /// Makes ready, once for all rows, what the rays of the view are asked of, and no more.
+  void (*draw)(const ViewFrame& frame, const EachRow& each_row);
 };
-
-/// What View::make does for rows of type Rows.
-template <class Rows>
-std::unique_ptr<ViewRows> make_rows(const ViewFrame& frame) {
-  return std::make_unique<Rows>(frame);
-}
 
 /// Registered views by name.
 std::vector<const View*> views();

@@ -26,26 +26,20 @@ std::uint32_t object_of(const Scene& scene, const SurfaceOwner& owner) {
   return owner.kind == SurfaceOwner::Kind::pillar ? number + 1 + owner.pillar : number;
 }
 
-class Hits : public ViewRows {
- public:
-  explicit Hits(const ViewFrame& frame) : frame_(frame), seen_(frame) {}
-
-  void draw(int row, std::uint8_t* pixels) const override {
-    for (const NearestHit& hit : seen_.nearest(rays_to_the_right(frame_, row))) {
+void draw(const ViewFrame& frame, const EachRow& each_row) {
+  const SeenWalls seen(frame);
+  each_row([&](int row, std::uint8_t* pixels) {
+    for (const NearestHit& hit : seen.nearest(rays_to_the_right(frame, row))) {
       constexpr std::array<std::uint8_t, 3> kNothing{255, 255, 255};
-      const auto rgb = hit ? colour_of(object_of(frame_.scene, seen_.owner(hit))) : kNothing;
+      const auto rgb = hit ? colour_of(object_of(frame.scene, seen.owner(hit))) : kNothing;
       pixels = std::copy(rgb.begin(), rgb.end(), pixels);
     }
-  }
-
- private:
-  const ViewFrame frame_;
-  const SeenWalls seen_;
-};
+  });
+}
 
 }  // namespace
 
 extern const View entry = {"hits", "the nearest object to the right of each pixel, by colour",
-                           false, false, &make_rows<Hits>};
+                           false, false, &draw};
 
 }  // namespace flatray::hits_view

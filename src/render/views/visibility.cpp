@@ -32,48 +32,38 @@ World without_walls_at(const Vec2& point, const World& all, Surfaces& rims) {
   return rest;
 }
 
-class Visibility : public ViewRows {
- public:
-  explicit Visibility(const ViewFrame& frame)
-      : frame_(frame),
-        seen_(frame,
-              without_walls_at(frame.argument,
-                               build_world(frame.scene, frame.state, WorldOf::everything), rims_)),
-        is_far_(frame.argument.cwiseAbs().maxCoeff() * 0x1p-52 >
-                0x1p-20 * (pixel_centre(frame, 1, 0) - pixel_centre(frame, 0, 0)).norm()) {}
-
-  // Rays start at the point itself: the walls it lies on are told exactly, and hide nothing, as they
-  // are thin. What ends on a wall is lit. Where the point is so far away that rounding the way to a pixel
-  // moves its end, they start at the pixels.
-  void draw(int row, std::uint8_t* pixels) const override {
-    const Vec2& point = frame_.argument;
+// Rays start at the point itself: the walls it lies on are told exactly, and hide nothing, as they
+// are thin. What ends on a wall is lit. Where the point is so far away that rounding the way to a pixel
+// moves its end, they start at the pixels.
+void draw(const ViewFrame& frame, const EachRow& each_row) {
+  const Vec2& point = frame.argument;
+  Surfaces rims;  // the walls that the point lies on
+  const SeenWalls seen(
+      frame,
+      without_walls_at(point, build_world(frame.scene, frame.state, WorldOf::everything), rims));
+  const bool is_far = point.cwiseAbs().maxCoeff() * 0x1p-52 >
+                      0x1p-20 * (pixel_centre(frame, 1, 0) - pixel_centre(frame, 0, 0)).norm();
+  each_row([&](int row, std::uint8_t* pixels) {
     RayBatch rays;
-    for (int i = 0; i < frame_.crop.width; ++i) {
-      const Vec2 pixel = pixel_centre(frame_, frame_.crop.x + i, row);
-      rays.add(is_far_ ? Ray{pixel, point - pixel} : Ray{point, pixel - point});
+    for (int i = 0; i < frame.crop.width; ++i) {
+      const Vec2 pixel = pixel_centre(frame, frame.crop.x + i, row);
+      rays.add(is_far ? Ray{pixel, point - pixel} : Ray{point, pixel - point});
     }
-    const std::vector<NearestHit> hits = seen_.nearest(rays);
+    const std::vector<NearestHit> hits = seen.nearest(rays);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       constexpr std::uint8_t kShadow = 64, kLit = 255;
-      const Ray ray = rays.ray(i), from_point = is_far_ ? Ray{point, -ray.direction} : ray;
-      const bool is_on_wall = is_far_ && hits[i] && hits[i].t == 0;
-      const bool shadow = (is_on_wall ? seen_.crosses(ray) : hits[i] && hits[i].t < 1) ||
-                          crosses_before_tip(from_point, rims_);
+      const Ray ray = rays.ray(i), from_point = is_far ? Ray{point, -ray.direction} : ray;
+      const bool is_on_wall = is_far && hits[i] && hits[i].t == 0;
+      const bool shadow = (is_on_wall ? seen.crosses(ray) : hits[i] && hits[i].t < 1) ||
+                          crosses_before_tip(from_point, rims);
       pixels = std::fill_n(pixels, 3, shadow ? kShadow : kLit);
     }
-  }
-
- private:
-  const ViewFrame frame_;
-  Surfaces rims_;  // the walls that the point lies on
-  const SeenWalls seen_;
-  const bool is_far_;
-};
+  });
+}
 
 }  // namespace
 
-extern const View entry = {"visibility",
-                           "what a point at x,y lights; one on a wall, both its sides", true, false,
-                           &make_rows<Visibility>};
+extern const View entry = {
+    "visibility", "what a point at x,y lights; one on a wall, both its sides", true, false, &draw};
 
 }  // namespace flatray::visibility_view
