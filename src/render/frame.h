@@ -80,6 +80,10 @@ class FrameDrawer {
   DrawCounts counts_;
 };
 
+/// Makes a picture of a crop, of undetermined pixels, unless it is one.
+void shape_picture(const PixelBox& crop, const DrawList& list, Image& picture);
+void shape_picture(const PixelBox& crop, const DrawList& list, LinearImage& picture);
+
 /// Draws one draw list into a picture whose memory is used again.
 template <class Picture>  // Image or LinearImage
 void render_into(const DrawList& list, const FrameOptions& options, Picture& picture);

@@ -12,18 +12,6 @@ namespace {
 
 constexpr std::size_t kBandsATask = 4;  // which share their room; one thread does all in one
 
-void shape_picture(const PixelBox& crop, const DrawList& list, Image& image) {
-  const int channels = list.background.a == 1 ? 3 : 4;
-  if (image.width != crop.width || image.height != crop.height || image.channels != channels)
-    image = Image(crop.width, crop.height, channels);
-}
-void shape_picture(const PixelBox& crop, const DrawList&, LinearImage& image) {
-  image.width = crop.width;
-  image.height = crop.height;
-  image.pixels.resize(3 * static_cast<std::size_t>(crop.width) *
-                      static_cast<std::size_t>(crop.height));
-}
-
 // Of the rows of a band. Neighbours of one light are written together; what is of one pixel waits
 // for the end of the band, when all are developed one after another.
 class ImageSink final : public PixelSink {
@@ -140,6 +128,18 @@ DrawCounts draw_bands(const DrawList& list, const Bands& bands,
 
 }  // namespace
 
+void shape_picture(const PixelBox& crop, const DrawList& list, Image& image) {
+  const int channels = list.background.a == 1 ? 3 : 4;
+  if (image.width != crop.width || image.height != crop.height || image.channels != channels)
+    image = Image(crop.width, crop.height, channels);
+}
+void shape_picture(const PixelBox& crop, const DrawList&, LinearImage& image) {
+  image.width = crop.width;
+  image.height = crop.height;
+  image.pixels.resize(3 * static_cast<std::size_t>(crop.width) *
+                      static_cast<std::size_t>(crop.height));
+}
+
 template <class Picture>
 const Picture& FrameDrawer<Picture>::draw(DrawList list) {
   const PixelBox crop = crop_of(list, options_);
@@ -197,12 +197,12 @@ namespace {
 class SoftwareRenderer final : public Renderer {
  public:
   Result<void> draw(const DrawList& list, const FrameOptions& options, Image& out) const override {
-    out = render_image(list, options);
+    render_into(list, options, out);
     return {};
   }
   Result<void> draw(const DrawList& list, const FrameOptions& options,
                     LinearImage& out) const override {
-    out = render_linear(list, options);
+    render_into(list, options, out);
     return {};
   }
   std::string description() const override { return "software"; }

@@ -1,10 +1,11 @@
 #include "render/gl/batches.h"
 
 #include <algorithm>
+#include <array>
 
 #include "geom/polygon.h"
 #include "render/coverage/chains.h"
-#include "render/gl/batch_list.h"
+#include "render/gl/grid.h"
 #include "render/gl/outlines.h"
 
 namespace flatray::gl {
@@ -14,6 +15,107 @@ namespace {
 constexpr double kGuard = 512;
 // A stencil counts modulo 256.
 constexpr std::size_t kMostWindings = 255;
+
+// What a vertex has besides its place: FlatrayGlVertex::paint.
+struct VertexPaint {
+  std::array<float, 4> words;
+  bool gradient = false;
+};
+
+FlatrayGlVertex vertex(const GridPoint& point, const VertexPaint& paint) {
+  const auto pixels = [](std::int64_t steps) {
+    return static_cast<float>(static_cast<double>(steps) / kGridSteps);
+  };
+  const auto& [a, b, c, d] = paint.words;
+  return {pixels(point.x), pixels(point.y), {a, b, c, d}};
+}
+
+// Makes batches of items, in their order: figures that are painted one after another share one.
+class BatchList {
+ public:
+  BatchList(int width, int height) : size_(width, height) {}
+
+  // A convex figure that is blended as it is.
+  void paint(std::span<const GridPoint> corners, const VertexPaint& paint) {
+    const Bounds pixels = pixels_about(corners);
+    if (pixels.empty()) return;
+    reach_.add(pixels);
+    begin(FLATRAY_GL_PAINT, paint);
+    add_fan(corners, paint);
+  }
+
+  // An item that is marked first and then covered: triangles from the first point of each figure
+  // to every edge of it, as marks of `kind`.
+  void mark(FlatrayGlKind kind, std::span<const std::vector<GridPoint>> figures,
+            const VertexPaint& paint) {
+    Bounds pixels;
+    for (const std::vector<GridPoint>& figure : figures) pixels.add(pixels_about(figure));
+    if (pixels.empty()) return;
+    reach_.add(pixels);
+    begin(kind, {});
+    for (const std::vector<GridPoint>& figure : figures) add_fan(figure, {});
+    if (kind == FLATRAY_GL_SUM) add_box(FLATRAY_GL_FIND, pixels, {});
+    add_box(FLATRAY_GL_COVER, pixels, paint);
+  }
+
+  // What another list drew of the tile, as one picture, faded.
+  void lay(const BatchList& layer, float opacity) {
+    const Bounds& pixels = layer.reach_;
+    if (pixels.empty()) return;
+    reach_.add(pixels);
+    add_box(FLATRAY_GL_LAYER, pixels, {});
+    const auto first = static_cast<std::uint32_t>(all_.vertices.size());
+    for (FlatrayGlBatch batch : layer.all_.batches) {
+      batch.first += first;
+      all_.batches.push_back(batch);
+    }
+    all_.vertices.insert(all_.vertices.end(), layer.all_.vertices.begin(),
+                         layer.all_.vertices.end());
+    add_box(FLATRAY_GL_LAY, pixels, {{opacity}});
+  }
+
+  Batches finish() && { return std::move(all_); }
+
+ private:
+  // Pixels a figure can touch, with a pixel around it for the shifts of its samples.
+  Bounds pixels_about(std::span<const GridPoint> points) const {
+    Bounds steps;
+    for (const GridPoint& p : points)
+      steps.add({static_cast<double>(p.x), static_cast<double>(p.y)});
+    const Vec2 low((steps.low / kGridSteps).array().floor() - 1.0);
+    const Vec2 high((steps.high / kGridSteps).array().floor() + 2.0);
+    return {low.cwiseMax(0.0), high.cwiseMin(size_)};
+  }
+
+  // A batch of its own, unless the last is painted likewise.
+  void begin(FlatrayGlKind kind, const VertexPaint& paint) {
+    const std::int32_t gradients = paint.gradient ? 1 : 0;
+    const bool goes_on = kind == FLATRAY_GL_PAINT && !all_.batches.empty() &&
+                         all_.batches.back().kind == kind &&
+                         all_.batches.back().gradients == gradients;
+    if (goes_on) return;
+    all_.batches.push_back({kind, gradients, static_cast<std::uint32_t>(all_.vertices.size()), 0});
+  }
+
+  void add_fan(std::span<const GridPoint> corners, const VertexPaint& paint) {
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      if (area(corners[0], corners[i], corners[i + 1]) == 0) continue;
+      for (const GridPoint& corner : {corners[0], corners[i], corners[i + 1]})
+        all_.vertices.push_back(vertex(corner, paint));
+      all_.batches.back().count += 3;
+    }
+  }
+
+  void add_box(FlatrayGlKind kind, const Bounds& pixels, const VertexPaint& paint) {
+    begin(kind, paint);
+    const GridPoint low = on_grid(pixels.low), high = on_grid(pixels.high);
+    add_fan(std::array{low, GridPoint{high.x, low.y}, high, GridPoint{low.x, high.y}}, paint);
+  }
+
+  Vec2 size_;
+  Bounds reach_;  // whole pixels about all there is
+  Batches all_;
+};
 
 using Grid = std::vector<GridPoint>;
 
