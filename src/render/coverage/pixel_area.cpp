@@ -25,60 +25,43 @@ double mean_x(const PieceOf& of, double top, double bottom, int row) {
   return 0.5 * (upper + lower) - p.curve->bow(lower - upper, bottom - top) / (bottom - top);
 }
 
-// Where two pieces cross one another, to some 2^-27: what is wrong beside a crossing is its square.
-class Crossings {
- public:
-  Crossings(const PieceOf& a, const PieceOf& b, int row, std::vector<double>& cuts)
-      : a_(a), b_(b), row_(row), cuts_(cuts) {
-    const double top = std::max(a.piece->y_top, b.piece->y_top);
-    const double bottom = std::min(a.piece->y_bottom, b.piece->y_bottom);
-    if (!(top < bottom) || a.right <= b.left || b.right <= a.left) return;
-    const double first = gap(top), last = gap(bottom);
-    if (a.piece->curve == nullptr && b.piece->curve == nullptr) {
-      if (first * last < 0) cuts_.push_back(top + (bottom - top) * (first / (first - last)));
-      return;
-    }
-    if (first * last < 0) {
-      add(top, bottom, first < 0);
-      return;
-    }
-    if (std::min(std::abs(first), std::abs(last)) > 0x1p-40 + a.bend + b.bend) return;
-    const double side = first + last, middle = extreme(top, bottom, side);
-    if (!(side * gap(middle) < 0)) return;
-    add(top, middle, first < 0);
-    add(middle, bottom, last > 0);
+// Adds where two pieces cross one another, to some 2^-27: what is wrong beside a crossing is its square.
+void add_crossings(const PieceOf& a, const PieceOf& b, int row, std::vector<double>& cuts) {
+  constexpr int kSteps = 27;
+  const double top = std::max(a.piece->y_top, b.piece->y_top);
+  const double bottom = std::min(a.piece->y_bottom, b.piece->y_bottom);
+  if (!(top < bottom) || a.right <= b.left || b.right <= a.left) return;
+  const auto gap = [&](double y) { return x_at(a, y, row) - x_at(b, y, row); };
+  const double first = gap(top), last = gap(bottom);
+  if (a.piece->curve == nullptr && b.piece->curve == nullptr) {
+    if (first * last < 0) cuts.push_back(top + (bottom - top) * (first / (first - last)));
+    return;
   }
-
- private:
-  static constexpr int kSteps = 27;
-
-  double gap(double y) const { return x_at(a_, y, row_) - x_at(b_, y, row_); }
-
   // Where the gap changes its sign.
-  void add(double low, double high, bool rises) {
+  const auto add = [&](double low, double high, bool rises) {
     for (int i = 0; i < kSteps; ++i) {
       const double middle = 0.5 * (low + high);
       ((gap(middle) < 0) == rises ? low : high) = middle;
     }
-    cuts_.push_back(0.5 * (low + high));
-  }
-
+    cuts.push_back(0.5 * (low + high));
+  };
+  if (first * last < 0) return add(top, bottom, first < 0);
+  if (std::min(std::abs(first), std::abs(last)) > 0x1p-40 + a.bend + b.bend) return;
   // Where a gap that is of one sign at both ends comes nearest to the other, by thirds.
-  double extreme(double low, double high, double side) const {
-    for (int i = 0; i < kSteps; ++i) {
-      const double third = (high - low) / 3, a = low + third, b = high - third;
-      if (side * gap(a) < side * gap(b))
-        high = b;
-      else
-        low = a;
-    }
-    return 0.5 * (low + high);
+  const double side = first + last;
+  double low = top, high = bottom;
+  for (int i = 0; i < kSteps; ++i) {
+    const double third = (high - low) / 3, upper = low + third, lower = high - third;
+    if (side * gap(upper) < side * gap(lower))
+      high = lower;
+    else
+      low = upper;
   }
-
-  const PieceOf &a_, &b_;
-  const int row_;
-  std::vector<double>& cuts_;
-};
+  const double middle = 0.5 * (low + high);
+  if (!(side * gap(middle) < 0)) return;
+  add(top, middle, first < 0);
+  add(middle, bottom, last > 0);
+}
 
 // Pieces that lie on one another become one of all their directions.
 void join_equal(std::vector<PieceOf>& pieces) {
@@ -149,7 +132,7 @@ void PixelArea::find_cuts(std::span<const PieceOf> pieces, int row) {
       const Piece& piece = *pieces[i].piece;
       if (piece.y_top > 0) cuts_.push_back(piece.y_top);
       if (piece.y_bottom < 1) cuts_.push_back(piece.y_bottom);
-      for (std::size_t k = 0; k < i; ++k) Crossings(pieces[i], pieces[k], row, cuts_);
+      for (std::size_t k = 0; k < i; ++k) add_crossings(pieces[i], pieces[k], row, cuts_);
     }
   }
   std::sort(cuts_.begin(), cuts_.end());

@@ -20,12 +20,7 @@ double PixelRest::Polygon::area() const {
   return 0.5 * twice;
 }
 
-void PixelRest::begin() {
-  polygons_.resize(1);
-  polygons_[0].count = 4;
-  std::copy_n(std::array{0.0, 1.0, 1.0, 0.0}.begin(), 4, polygons_[0].x.begin());
-  std::copy_n(std::array{0.0, 0.0, 1.0, 1.0}.begin(), 4, polygons_[0].y.begin());
-}
+void PixelRest::begin() { polygons_.assign(1, {4, {0, 1, 1, 0}, {0, 0, 1, 1}}); }
 
 bool PixelRest::can_cut(std::span<const Piece> pieces, int sign) {
   const auto inside = [sign](const Piece& of, const Piece& other) {
