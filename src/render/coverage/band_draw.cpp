@@ -62,8 +62,7 @@ void BandScan::draw_row(int row) {
 // Pixels that the same items cover, some of them with parts of others.
 void BandScan::draw_shining(int begin, int end) {
   if (begin >= end || active_.empty()) return;
-  const auto first = static_cast<std::size_t>(begin - box_.x);
-  const auto last = static_cast<std::size_t>(end - box_.x);
+  const std::size_t first = place(begin), last = place(end);
   const auto pixels = [&](std::size_t i) {
     const std::uint64_t bits = bits_within(i, first, last), waits = row_words_[i].waits;
     each_one(i, bits & waits, [&](int at) {
@@ -87,13 +86,13 @@ void BandScan::draw_run(int begin, int end) {
 }
 
 // A pixel that is seen whole below its parts.
-void BandScan::draw_part(int place, const ItemLook* below) {
-  const std::uint32_t lowest = row_lowest_[static_cast<std::size_t>(place)];
+void BandScan::draw_part(int at, const ItemLook* below) {
+  const std::uint32_t lowest = row_lowest_[static_cast<std::size_t>(at)];
   const Part& part = parts_[lowest];
   const ItemLook& look = looks_[part.item];
   const bool one = part.above == kNone && look.opaque && !look.varies &&
                    (rays_ > 0 || look.simple || part.count == 1);
-  const int column = box_.x + place;
+  const int column = box_.x + at;
   sink_->pixel(row_, column,
                one ? light_of(part, below == nullptr ? background_ : below->light)
                    : joint_light(column, lowest, below));

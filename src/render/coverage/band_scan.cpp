@@ -112,8 +112,7 @@ std::size_t BandScan::take_items(const Band& band) {
 
 bool BandScan::is_settled(const PixelBox& box) const {
   if (box.width <= 0) return true;
-  const auto begin = static_cast<std::size_t>(box.x - box_.x);
-  const std::size_t end = begin + static_cast<std::size_t>(box.width);
+  const std::size_t begin = place(box.x), end = place(box.right());
   for (int row = box.y; row < box.bottom(); ++row) {
     const Words* const words = words_.data() + static_cast<std::size_t>(row - box_.y) * stride_;
     for (std::size_t i = begin / 64; i <= (end - 1) / 64; ++i)
@@ -178,8 +177,7 @@ int BandScan::pass(const RowCut& cut, int winding) {
   const RowCut* const cuts[] = {&cut};
   const int right = winding + (cut.winds ? cut.edge->direction : 0);
   if (cut.low > cut.high) return right;
-  const auto first = static_cast<std::size_t>(cut.low - box_.x);
-  const auto last = static_cast<std::size_t>(cut.high - box_.x);
+  const std::size_t first = place(cut.low), last = place(cut.high);
   for (std::size_t i = first / 64; i <= last / 64; ++i)
     each_one(i, bits_within(i, first, last + 1) & ~row_words_[i].settled, [&](int at) {
       const int column = box_.x + at;
@@ -222,9 +220,9 @@ void BandScan::take_columns(const std::vector<RowCut>& cuts) {
 }
 
 void BandScan::add_part(int column, const Wound& wound, std::span<const RowCut* const> cuts) {
-  const auto place = static_cast<std::size_t>(column - box_.x);
-  const std::uint64_t bit = std::uint64_t{1} << (place % 64);
-  Words& words = row_words_[place / 64];
+  const std::size_t at = place(column);
+  const std::uint64_t bit = std::uint64_t{1} << (at % 64);
+  Words& words = row_words_[at / 64];
   if ((words.settled & bit) != 0) return;
   const std::size_t first = pieces_.size();
   if (wound.rays != all_rays_) add_windings(wound);
@@ -235,8 +233,8 @@ void BandScan::add_part(int column, const Wound& wound, std::span<const RowCut* 
               [](const Piece& a, const Piece& b) {
                 return a.ray != b.ray ? a.ray < b.ray : a.x_top < b.x_top;
               });
-  const std::uint32_t above = (words.waits & bit) != 0 ? row_lowest_[place] : kNone;
-  row_lowest_[place] = static_cast<std::uint32_t>(parts_.size());
+  const std::uint32_t above = (words.waits & bit) != 0 ? row_lowest_[at] : kNone;
+  row_lowest_[at] = static_cast<std::uint32_t>(parts_.size());
   parts_.push_back({item_, above, wound, static_cast<std::uint32_t>(first),
                     static_cast<std::uint32_t>(pieces_.size() - first)});
   words.waits |= bit;
@@ -281,8 +279,7 @@ void BandScan::cover_all(int begin, int end) {
   const bool settles = hide_ && look.opaque, plain = settles && !look.varies;
   if (!plain || !row_covers_->empty()) cover_rays(begin, end, all_rays_, plain);
   if (!settles) return;
-  const auto first = static_cast<std::size_t>(begin - box_.x);
-  const auto last = static_cast<std::size_t>(end - box_.x);
+  const std::size_t first = place(begin), last = place(end);
   const auto settle = [&](std::size_t i) {
     Words& words = row_words_[i];
     const std::uint64_t open = bits_within(i, first, last) & ~words.settled;
@@ -298,8 +295,7 @@ void BandScan::cover_all(int begin, int end) {
 // Pixels that are not settled, or of these what shines: there the item waits.
 void BandScan::cover_rays(int begin, int end, std::uint64_t rays, bool shining) {
   if (begin >= end) return;
-  const auto first = static_cast<std::size_t>(begin - box_.x);
-  const auto last = static_cast<std::size_t>(end - box_.x);
+  const std::size_t first = place(begin), last = place(end);
   const auto bits = [&](std::size_t i) {
     const Words& words = row_words_[i];
     const std::uint64_t open = bits_within(i, first, last) & ~words.settled;

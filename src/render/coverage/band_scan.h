@@ -97,6 +97,7 @@ class BandScan {
   void take_columns(const std::vector<RowCut>& cuts);
   int pass(const RowCut& cut, int winding);
   void add_part(int column, const Wound& wound, std::span<const RowCut* const> cuts);
+  std::size_t place(int column) const { return static_cast<std::size_t>(column - box_.x); }
   Wound wound() const;
   void add_windings(const Wound& wound);
   void cover(int begin, int end);
@@ -107,7 +108,7 @@ class BandScan {
   void draw_row(int row);
   void draw_shining(int begin, int end);
   void draw_run(int begin, int end);
-  void draw_part(int place, const ItemLook* below);
+  void draw_part(int at, const ItemLook* below);
   Light light_of(const Part& part, const Light& below) const;
   Light joint_light(int column, std::uint32_t part, const ItemLook* below);
   void see(int column, std::uint32_t part, const ItemLook* below);

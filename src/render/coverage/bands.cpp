@@ -47,26 +47,10 @@ BandChange columns_of(const Bounds& bounds, const PixelBox& box) {
   return {within(std::floor(bounds.low.x())), within(std::ceil(bounds.high.x()))};
 }
 
-// Compares items of two lists; an item that lies in many bands is compared once.
-class ItemComparison {
- public:
-  ItemComparison(const DrawList& now, const DrawList& before)
-      : now_(now), before_(before), answers_(now.items.size()) {}
-
-  bool same(std::size_t now, std::size_t before) {
-    Answer& answer = answers_[now];
-    if (!answer.known || answer.before != before)
-      answer = {before, true, flatray::same(now_.items[now], before_.items[before])};
-    return answer.same;
-  }
-
- private:
-  struct Answer {
-    std::size_t before = 0;
-    bool known = false, same = false;
-  };
-  const DrawList &now_, &before_;
-  std::vector<Answer> answers_;
+// Whether an item of one list is as one of another: kept, as it may lie in many bands.
+struct ItemComparison {
+  std::size_t before = ~std::size_t{0};
+  bool same = false;
 };
 
 }  // namespace
@@ -146,14 +130,17 @@ std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_band
       now.rows != before.rows || now.background != before.background ||
       now_bands.count() != before_bands.count())
     return changes;
-  ItemComparison items(now, before);
+  std::vector<ItemComparison> compared(now.items.size());
   Band shown, kept;
   for (std::size_t band = 0; band < changes.size(); ++band) {
     now_bands.list(band, shown);
     before_bands.list(band, kept);
     const std::size_t both = std::min(shown.size(), kept.size());
     const auto alike = [&](std::size_t i, std::size_t k) {
-      return items.same(shown[i].item, kept[k].item);
+      const std::size_t one = shown[i].item, other = kept[k].item;
+      ItemComparison& last = compared[one];
+      if (last.before != other) last = {other, same(now.items[one], before.items[other])};
+      return last.same;
     };
     std::size_t below = 0, above = 0;
     while (below < both && alike(below, below)) ++below;

@@ -8,40 +8,6 @@
 namespace flatray {
 namespace {
 
-// Edges by the point they begin at, to be taken once each.
-class Beginnings {
- public:
-  explicit Beginnings(std::span<const Segment> edges) : edges_(edges), taken_(edges.size()) {}
-
-  bool take(std::size_t i) {
-    if (taken_[i]) return false;
-    return taken_[i] = true;
-  }
-
-  std::optional<std::size_t> take_at(const Vec2& point) {
-    if (order_.empty()) sort();
-    auto found = std::lower_bound(
-        order_.begin(), order_.end(), point,
-        [this](std::size_t i, const Vec2& p) { return is_before(edges_[i].a, p); });
-    for (; found != order_.end() && edges_[*found].a == point; ++found)
-      if (take(*found)) return *found;
-    return std::nullopt;
-  }
-
- private:
-  void sort() {
-    order_.resize(edges_.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::sort(order_.begin(), order_.end(), [this](std::size_t i, std::size_t k) {
-      return is_before(edges_[i].a, edges_[k].a) || (edges_[i].a == edges_[k].a && i < k);
-    });
-  }
-
-  std::span<const Segment> edges_;
-  std::vector<bool> taken_;
-  std::vector<std::size_t> order_;
-};
-
 void close_if_back(Chain& chain) {
   chain.closed = chain.points.size() > 2 && chain.points.front() == chain.points.back();
   if (chain.closed) chain.points.pop_back();
@@ -227,15 +193,33 @@ std::vector<Chain> chained(std::span<const Segment> lines) {
 
 std::vector<Chain> rings_of(std::span<const Segment> edges) {
   std::vector<Chain> rings;
-  Beginnings beginnings(edges);
+  std::vector<bool> taken(edges.size());
+  const auto take = [&](std::size_t i) {
+    const bool is_free = !taken[i];
+    taken[i] = true;
+    return is_free;
+  };
+  std::vector<std::size_t> order;  // by the point they begin at, once one is looked for
+  const auto beginning = [&](std::size_t i) -> const Vec2& { return edges[i].a; };
+  const auto take_at = [&](const Vec2& point) -> std::optional<std::size_t> {
+    if (order.empty()) {
+      order.resize(edges.size());
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      std::ranges::stable_sort(order, is_before, beginning);
+    }
+    auto found = std::ranges::lower_bound(order, point, is_before, beginning);
+    for (; found != order.end() && edges[*found].a == point; ++found)
+      if (take(*found)) return *found;
+    return std::nullopt;
+  };
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (!beginnings.take(i)) continue;
+    if (!take(i)) continue;
     Chain ring{{edges[i].a, edges[i].b}};
     std::size_t last = i;
     while (ring.points.back() != ring.points.front()) {
-      const bool in_turn = last + 1 < edges.size() && edges[last + 1].a == edges[last].b &&
-                           beginnings.take(last + 1);
-      const auto next = in_turn ? std::optional(last + 1) : beginnings.take_at(ring.points.back());
+      const bool in_turn =
+          last + 1 < edges.size() && edges[last + 1].a == edges[last].b && take(last + 1);
+      const auto next = in_turn ? std::optional(last + 1) : take_at(ring.points.back());
       if (!next) break;
       last = *next;
       ring.points.push_back(edges[last].b);

@@ -6,16 +6,6 @@
 namespace flatray {
 namespace {
 
-bool simple_region(const Region& region) {
-  const FillPath* path = std::get_if<FillPath>(&region);
-  return path == nullptr || path->simple;
-}
-
-FillRule rule_of(const Region& region) {
-  const FillPath* path = std::get_if<FillPath>(&region);
-  return path == nullptr ? FillRule::nonzero : path->rule;
-}
-
 Light over(const Light& above, const Light& below, float opacity = 1) {
   const float keep = 1.0F - above[3] * opacity;
   Light sum;
@@ -40,11 +30,11 @@ ItemLook::ItemLook(const DrawItem& of)
       opaque(of.colour.a == 1 && of.layer == 0 && !of.light),
       adds(of.light != nullptr),
       varies(of.gradient.has_value() || of.light != nullptr),
-      simple(simple_region(of.region)),
-      rule(rule_of(of.region)),
       layer(static_cast<std::uint32_t>(of.layer)),
       item(&of) {
   if (of.gradient) gradient.emplace(*of.gradient);
+  if (const FillPath* path = std::get_if<FillPath>(&of.region))
+    simple = path->simple, rule = path->rule;
 }
 
 Light ItemLook::at(int x, int y, int film_width) const {

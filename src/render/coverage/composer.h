@@ -10,12 +10,12 @@ namespace flatray {
 
 /// How an item of a band looks.
 struct ItemLook {
-  Light light;  ///< premultiplied; of one colour
-  bool opaque;  ///< hides what lies below it
-  bool adds;    ///< a film of light, which hides nothing
-  bool varies;  ///< from pixel to pixel
-  bool simple;  ///< its winding number is nowhere but one number and 0
-  FillRule rule;
+  Light light;         ///< premultiplied; of one colour
+  bool opaque;         ///< hides what lies below it
+  bool adds;           ///< a film of light, which hides nothing
+  bool varies;         ///< from pixel to pixel
+  bool simple = true;  ///< its winding number is nowhere but one number and 0
+  FillRule rule = FillRule::nonzero;
   std::uint32_t layer;
   const DrawItem* item;
   std::optional<GradientPainter> gradient;
