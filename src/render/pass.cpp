@@ -13,15 +13,12 @@ namespace flatray {
 
 namespace {
 
-std::uint64_t corner_count(const Region& region) {
-  if (const auto* path = std::get_if<FillPath>(&region)) return path->edges.size();
-  if (const auto* arcs = std::get_if<FillArcs>(&region)) return 4 * arcs->path.arcs.size();
-  return 0;
-}
-
 std::uint64_t corner_count(std::span<const Region> regions) {
   std::uint64_t count = 0;
-  for (const Region& region : regions) count += corner_count(region);
+  for (const Region& region : regions) {
+    if (const auto* path = std::get_if<FillPath>(&region)) count += path->edges.size();
+    if (const auto* arcs = std::get_if<FillArcs>(&region)) count += 4 * arcs->path.arcs.size();
+  }
   return count;
 }
 

@@ -17,20 +17,21 @@ RayWalls::RayWalls(const Scene& scene, const FrameState& state, const Tracer* as
       glass_(scene, world_),
       orbits_(world_.surfaces, materials_, {CornerRule::stop, asked, scene.field(), &glass_}) {}
 
-std::vector<RenderPlan::Choice> RayWalls::choices() const {
-  if (orbits_.field() != 0)
-    return {{"tracer", "left out", "a magnetic field bends flights: all walls are looked at"},
-            {"origins", orbits_.origin_cells().structure(), "walls near a bounce are looked at"}};
-  const TracerChoice& choice = orbits_.choice();
-  return {{"tracer", choice.tracer->name, choice.reason + "; " + orbits_.walls().structure()},
-          {"origins", orbits_.origin_cells().structure(), "walls near a bounce are looked at"}};
-}
-
 std::vector<RenderPlan::Choice> ray_wall_choices(const Scene& scene, const FrameState& state,
                                                  const Tracer* asked) {
   const Need need = need_of_ray_walls(scene);
-  if (need.needed) return RayWalls(scene, state, asked).choices();
-  return {{"tracer", "left out", need.reason}, {"origins", "left out", need.reason}};
+  if (!need.needed)
+    return {{"tracer", "left out", need.reason}, {"origins", "left out", need.reason}};
+  const RayWalls walls(scene, state, asked);
+  const OrbitTracer& orbits = walls.orbits();
+  const RenderPlan::Choice origins{"origins", orbits.origin_cells().structure(),
+                                   "walls near a bounce are looked at"};
+  if (orbits.field() != 0)
+    return {{"tracer", "left out", "a magnetic field bends flights: all walls are looked at"},
+            origins};
+  const TracerChoice& choice = orbits.choice();
+  return {{"tracer", choice.tracer->name, choice.reason + "; " + orbits.walls().structure()},
+          origins};
 }
 
 }  // namespace flatray

@@ -17,8 +17,6 @@ class RayWalls {
 
   const World& world() const { return world_; }
   const OrbitTracer& orbits() const { return orbits_; }
-  /// What was built, and why, as `flatray explain` tells it.
-  std::vector<RenderPlan::Choice> choices() const;
 
  private:
   const World world_;
@@ -27,7 +25,8 @@ class RayWalls {
   const OrbitTracer orbits_;
 };
 
-/// RayWalls::choices() of a frame; without a need what is left out. Cost   builds them.
+/// What is built for a frame, and why, as `flatray explain` tells it; without a need what is left out.
+/// Cost   builds them.
 std::vector<RenderPlan::Choice> ray_wall_choices(const Scene& scene, const FrameState& state,
                                                  const Tracer* asked);
 

@@ -10,6 +10,14 @@
 namespace flatray {
 namespace {
 
+// Student's t of 95 % with one degree of freedom less than there are scrambles, which are of kScrambles.
+double student_t(std::size_t scrambles) {
+  constexpr double kOfScrambles[] = {2.131449545559323, 2.0395134463964077, 1.9983405425207412};
+  for (std::size_t i = 0; i < std::size(kScrambles); ++i)
+    if (kScrambles[i] == scrambles) return kOfScrambles[i];
+  unreachable();
+}
+
 // A line adds less to a pixel: image/light_film.cpp.
 constexpr std::int64_t kMostOfLine = 92'686;
 
@@ -47,19 +55,6 @@ bool too_few_rays(ScrambleSums sums, std::size_t pixel) {
 }
 
 }  // namespace
-
-double student_t(std::size_t scrambles) {
-  switch (scrambles) {
-    case 16:
-      return 2.131449545559323;
-    case 32:
-      return 2.0395134463964077;
-    case 64:
-      return 1.9983405425207412;
-    default:
-      unreachable();
-  }
-}
 
 double relative_error(ScrambleSums sums) {
   double light = 0, error = 0;

@@ -11,10 +11,6 @@ namespace flatray {
 /// Numbers of scrambles from which an error can be told.
 inline constexpr unsigned kScrambles[] = {16, 32, 64};
 
-/// Student's t of 95 % with one degree of freedom less than there are scrambles.
-/// Needs   a number of kScrambles.
-double student_t(std::size_t scrambles);
-
 /// Sums of a film for each scramble, row by row, three channels a pixel: independent pictures of one
 /// light, all of as many rays.
 using ScrambleSums = std::span<const std::vector<std::int64_t>>;

@@ -6,13 +6,9 @@
 namespace flatray::bounding_boxes_pass {
 namespace {
 
-std::ptrdiff_t boxed(const Scene& scene) {
-  return std::count_if(scene.entities.begin(), scene.entities.end(),
-                       [](const Entity& entity) { return entity.bounding_box.has_value(); });
-}
-
 Need need(const Scene& scene) {
-  const std::ptrdiff_t count = boxed(scene);
+  const auto count = std::ranges::count_if(
+      scene.entities, [](const Entity& entity) { return entity.bounding_box.has_value(); });
   if (count == 0) return skip("no entity asks for its box");
   return run(counted(count, "box", "boxes"));
 }
