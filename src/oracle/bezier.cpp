@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "oracle/point.h"
 
 namespace flatray::oracle {
 namespace {
@@ -64,14 +65,11 @@ struct Linear {
 // A weighted quadratic curve with the control points a, b, c and the weight w of b is where the shares u, v, x
 // of these in a point (which sum to 1) are 0 or more and v^2 = 4 w^2 u x. That difference is negative towards the chord.
 std::vector<BezierMeeting> meetings_with_conic(const Ray& ray, const Bezier& curve) {
-  const Rational dx = ray.direction.x(), dy = ray.direction.y();
-  const auto seen = [&](const Vec2& p) {
-    return std::pair(Rational(p.x()) - ray.origin.x(), Rational(p.y()) - ray.origin.y());
-  };
-  const auto a = seen(curve.point(0)), b = seen(curve.point(1)), c = seen(curve.point(2));
-  const auto area = [&](const auto& p, const auto& q) {
-    return Linear{p.first * q.second - p.second * q.first,
-                  dy * (q.first - p.first) - dx * (q.second - p.second)};
+  const Point way = exact(ray.direction);
+  const auto seen = [&](const Vec2& p) { return exact(p) - exact(ray.origin); };
+  const Point a = seen(curve.point(0)), b = seen(curve.point(1)), c = seen(curve.point(2));
+  const auto area = [&](const Point& p, const Point& q) {
+    return Linear{cross(p, q), cross(q - p, way)};
   };
   const Linear u = area(b, c), v = area(c, a), x = area(a, b);
   const bool turns_left = u.start + v.start + x.start > 0;
@@ -82,8 +80,9 @@ std::vector<BezierMeeting> meetings_with_conic(const Ray& ray, const Bezier& cur
   std::vector<BezierMeeting> found;
   const auto add = [&](const Surd& time, int multiplicity, bool falls) {
     const Algebraic t(time);
-    const Sign way = turns_left ? Sign::positive : Sign::negative;
-    const Sign first = u.sign_at(t) * way, middle = v.sign_at(t) * way, last = x.sign_at(t) * way;
+    const Sign turn = turns_left ? Sign::positive : Sign::negative;
+    const Sign first = u.sign_at(t) * turn, middle = v.sign_at(t) * turn,
+               last = x.sign_at(t) * turn;
     const bool is_on =
         first != Sign::negative && middle != Sign::negative && last != Sign::negative;
     if (!is_on || t.sign() == Sign::negative) return;

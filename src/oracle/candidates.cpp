@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geom/pair.h"
 #include "geom/primitives/wall.h"
 
 namespace flatray::oracle {
@@ -24,22 +25,17 @@ struct Known {
   bool negative() const { return -value > error; }
 };
 
-struct Point {
-  Long x, y;
-};
+using Point = Pair<Long>;
 Point wide(const Vec2& v) { return {static_cast<Long>(v.x()), static_cast<Long>(v.y())}; }
 
-// ax by - ay bx of differences of doubles.
-Known area(Long ax, Long ay, Long bx, Long by) {
-  const Long left = ax * by, right = ay * bx;
+// a x b of differences of doubles.
+Known area(const Point& a, const Point& b) {
+  const Long left = a.x * b.y, right = a.y * b.x;
   return {left - right, 5 * kRounding * (std::fabs(left) + std::fabs(right))};
 }
 
-// The same for ax bx + ay by.
-Known inner(Long ax, Long ay, Long bx, Long by) { return area(ax, ay, -by, bx); }
-
-// sqrt(x^2 + y^2), which rounds three times, and not less.
-Long length_above(Long x, Long y) { return std::sqrt(x * x + y * y) * (1 + 8 * kRounding); }
+// The length of v, which rounds three times, and not less.
+Long length_above(const Point& v) { return std::sqrt(dot(v, v)) * (1 + 8 * kRounding); }
 
 // Whether all of a wall lies behind the ray's start on one axis.
 bool is_behind(double origin, double direction, double a, double b) {
@@ -65,12 +61,11 @@ Candidate crossing(std::int64_t wall, Known time, const Known& from, const Known
 
 Candidate candidate(const Ray& ray, const Segment& segment, std::int64_t wall) {
   const Point o = wide(ray.origin), d = wide(ray.direction);
-  const Point p = wide(segment.a), q = wide(segment.b);
-  const Long ax = p.x - o.x, ay = p.y - o.y, bx = q.x - o.x, by = q.y - o.y;
-  const Known a = area(d.x, d.y, ax, ay), b = area(d.x, d.y, bx, by);
+  const Point to_a = wide(segment.a) - o, to_b = wide(segment.b) - o;
+  const Known a = area(d, to_a), b = area(d, to_b);
   if ((a.positive() && b.positive()) || (a.negative() && b.negative())) return {};
   const bool apart = (a.positive() && b.negative()) || (a.negative() && b.positive());
-  return apart ? crossing(wall, area(ax, ay, bx, by), a, b) : Candidate{wall};
+  return apart ? crossing(wall, area(to_a, to_b), a, b) : Candidate{wall};
 }
 
 }  // namespace
@@ -95,18 +90,16 @@ void find_candidates(const Ray& ray, std::span<const Segment> walls,
 
 // So that all points are within.
 static Reach around(Reach reach, std::span<const Vec2> points) {
-  const Point from = wide(reach.centre);
   for (const Vec2& p : points)
-    reach.radius = std::max(reach.radius, length_above(wide(p).x - from.x, wide(p).y - from.y));
+    reach.radius = std::max(reach.radius, length_above(wide(p) - wide(reach.centre)));
   return reach;
 }
 Reach reach_of(const Arc& arc) {
   const auto& [centre, u, v] = arc.curve;
   const auto circle = circle_along(arc);
   if (whole_circle(arc)) return {centre, static_cast<Long>(circle->radius), true};
-  const Point a = wide(u), b = wide(v);
   const Long sum =
-      circle ? static_cast<Long>(circle->radius) : length_above(a.x, a.y) + length_above(b.x, b.y);
+      circle ? static_cast<Long>(circle->radius) : length_above(wide(u)) + length_above(wide(v));
   const Reach whole{centre, sum * (1 + kRounding * 4)};
   return arc.extent == Arc::Extent::between ? around(whole, std::array{arc.from, arc.to}) : whole;
 }
@@ -122,13 +115,13 @@ void find_candidates(const Ray& ray, std::span<const Reach> curves, long double 
                      std::vector<Candidate>& candidates) {
   candidates.clear();
   const Point o = wide(ray.origin), d = wide(ray.direction);
-  const Long length = length_above(d.x, d.y), square = length * length;
+  const Long length = length_above(d), square = length * length;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Reach& disc = curves[i];
-    const Point c = wide(disc.centre);
-    const Long wx = c.x - o.x, wy = c.y - o.y, margin = disc.radius * (1 + 8 * kRounding);
-    if (std::max(std::fabs(wx), std::fabs(wy)) > margin && length == 0) continue;
-    const Known beside = area(d.x, d.y, wx, wy), ahead = inner(d.x, d.y, wx, wy);
+    const Point w = wide(disc.centre) - o;
+    const Long margin = disc.radius * (1 + 8 * kRounding);
+    if (std::max(std::fabs(w.x), std::fabs(w.y)) > margin && length == 0) continue;
+    const Known beside = area(d, w), ahead = area(d, {-w.y, w.x});  // d x w and d.w
     const Long reach = margin * length;
     if (std::fabs(beside.value) - beside.error > reach) continue;
     if (-ahead.value - ahead.error > reach) continue;

@@ -12,12 +12,6 @@ namespace {
 using Bound = std::optional<Rational>;
 using Ring = RingOf<Rational>;
 
-Ring exact_ring(const MovingCore& body) {
-  Ring ring;
-  for (const Vec2& p : body.ring) ring.push_back(exact(p));
-  return ring;
-}
-
 void add_edges(const Ring& ring, std::vector<Point>& all) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point edge = ring[(i + 1) % ring.size()] - ring[i];
@@ -85,7 +79,7 @@ std::vector<Point> axes_of(const std::vector<Point>& edges, bool has_area) {
 Bound bound(double t) { return std::isinf(t) ? Bound() : Bound(t); }
 
 ContactTruth truth_of_cores(const MovingCore& a, const MovingCore& b, Range within) {
-  const Ring ring_a = exact_ring(a), ring_b = exact_ring(b);
+  const Ring ring_a = exact_ring(a.ring), ring_b = exact_ring(b.ring);
   const Point way = exact(b.velocity) - exact(a.velocity);
   const Bound low = bound(within.low), high = bound(within.high), zero = Rational(0);
   std::vector<Point> edges;
@@ -112,7 +106,7 @@ ContactTruth truth_of_cores(const MovingCore& a, const MovingCore& b, Range with
 }
 
 Ring at_time(const MovingCore& body, const Rational& t) {
-  Ring ring = exact_ring(body);
+  Ring ring = exact_ring(body.ring);
   for (Point& p : ring) p = p + t * exact(body.velocity);
   return ring;
 }

@@ -58,8 +58,7 @@ Sign side_of_line(const Vec2& a, const Vec2& b, const Vec2& c) {
 Clip clip_polygon(const Ray& ray, std::span<const Vec2> vertices, Range within) {
   Clip clip{contact_truth({{&ray.origin, 1}, ray.direction}, {vertices, {0, 0}}, within)};
   if (clip.kind == HitClass::miss || ray.direction == Vec2(0, 0)) return clip;
-  std::vector<Point> polygon;
-  for (const Vec2& v : vertices) polygon.push_back(exact(v));
+  const std::vector<Point> polygon = exact_ring(vertices);
   // At an end of the range there is none.
   const auto edge = [&](const Rational& t, double end, bool inward) {
     return std::isfinite(end) && t == end ? kNoEdge : edge_at(ray, polygon, t, inward);

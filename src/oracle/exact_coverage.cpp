@@ -12,12 +12,6 @@ namespace {
 using oracle::Point;
 using Ring = std::vector<Point>;
 
-Ring ring_of(std::span<const Vec2> corners) {
-  Ring ring;
-  for (const Vec2& v : corners) ring.push_back(oracle::exact(v));
-  return ring;
-}
-
 // Every x at which two sides of any rings cross inside the pixel, and that of every corner there.
 std::vector<Rational> slab_borders(const std::vector<Ring>& rings, const Bounds& pixel) {
   std::vector<Rational> borders;
@@ -80,10 +74,10 @@ Rational area_of(std::span<const std::vector<Vec2>> pieces, int x, int y, const 
   const Bounds pixel{Vec2(x, y), Vec2(x + 1.0, y + 1.0)};
   std::vector<Ring> rings;
   for (const std::vector<Vec2>& piece : pieces)
-    if (box_about(piece).meets(pixel)) rings.push_back(ring_of(piece));
+    if (box_about(piece).meets(pixel)) rings.push_back(oracle::exact_ring(piece));
   std::vector<Ring> all = rings;
-  all.push_back(ring_of(std::array{pixel.low, Vec2(pixel.high.x(), pixel.low.y()), pixel.high,
-                                   Vec2(pixel.low.x(), pixel.high.y())}));
+  all.push_back(oracle::exact_ring(std::array{pixel.low, Vec2(pixel.high.x(), pixel.low.y()),
+                                              pixel.high, Vec2(pixel.low.x(), pixel.high.y())}));
   const std::vector<Rational> borders = slab_borders(all, pixel);
   Rational area;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/portable_math.h"
+#include "geom/pair.h"
 
 namespace flatray::oracle {
 namespace {
@@ -32,9 +33,7 @@ class FlatTracer {
   }
 
  private:
-  struct Point {
-    double x, y;
-  };
+  using Point = Pair<double>;
 
   // Marsaglia 2003, "Xorshift RNGs", times a constant as by Vigna 2016.
   double unit() {
@@ -59,14 +58,14 @@ class FlatTracer {
     const FlatScene::Lamp& lamp = any_lamp();
     const Point place = toward(draw(lamp.polar_angle));
     const double distance = draw(lamp.polar_distance);
-    Point at{draw(lamp.x) + distance * place.x, draw(lamp.y) + distance * place.y};
+    Point at = Point{draw(lamp.x), draw(lamp.y)} + distance * place;
     Point way = toward(draw(lamp.ray_angle));
     const FlatScene::Wall* left = nullptr;
     for (int walls = 0; walls <= kMostWalls; ++walls) {
       ++light_.ways;
       const Hit hit = next_wall(at, way, left);
       const double far = std::isinf(hit.t) ? beyond(at) : hit.t;
-      const Point to{at.x + far * way.x, at.y + far * way.y};
+      const Point to = at + far * way;
       deposit(at, to, lamp.rgb);
       if (hit.wall == nullptr || !goes_on(hit, way)) return;
       at = to, left = hit.wall;
@@ -83,11 +82,10 @@ class FlatTracer {
     Hit nearest;
     for (const FlatScene::Wall& wall : scene_.walls) {
       if (&wall == left) continue;
-      const Point from{draw(wall.x) - at.x, draw(wall.y) - at.y};
+      const Point from = Point{draw(wall.x), draw(wall.y)} - at;
       const Point along{draw(wall.dx), draw(wall.dy)};
-      const double det = way.x * along.y - way.y * along.x;
-      const double t = (from.x * along.y - from.y * along.x) / det;
-      const double share = (from.x * way.y - from.y * way.x) / det;
+      const double det = cross(way, along);
+      const double t = cross(from, along) / det, share = cross(from, way) / det;
       if (t >= 0 && t < nearest.t && share >= 0 && share <= 1) nearest = {&wall, t, share, along};
     }
     return nearest;
@@ -101,9 +99,7 @@ class FlatTracer {
     if (u - wall.through >= wall.mirrored) return false;
     Point normal{-hit.along.y, hit.along.x};
     if (wall.has_normal) normal = toward(draw(wall.normal) + hit.share * draw(wall.turn));
-    const double twice =
-        2 * (way.x * normal.x + way.y * normal.y) / (normal.x * normal.x + normal.y * normal.y);
-    way = {way.x - twice * normal.x, way.y - twice * normal.y};
+    way = way - 2 * dot(way, normal) / dot(normal, normal) * normal;
     return true;
   }
 
