@@ -27,10 +27,13 @@ double nearest(const Long& x) {
   return std::fmod(low / std::fabs(high - low), 2) == 0 ? low : high;
 }
 
+LongPoint left_of(const LongPoint& v) { return {-v.y, v.x}; }
+
 // Where the line of the way meets a wall.
 struct Met {
   Long t;
   bool at_end = false;
+  Long s{};  // of a Bezier curve, its parameter
 };
 
 class Walker {
@@ -78,7 +81,7 @@ class Walker {
 
   void turn(std::uint32_t surface) {
     const LongPoint normal =
-        walls_.visit(surface, [&](const auto& wall) { return normal_of(wall); });
+        left_of(walls_.visit(surface, [&](const auto& wall) { return direction_of(wall); }));
     const Long twice = 2 * dot(way_, normal) / dot(normal, normal);
     way_ = way_ - twice * normal;
   }
@@ -118,8 +121,8 @@ class Walker {
   bool is_hole(std::uint32_t surface) const { return materials_[surface] == Material::hole; }
 
   bool leads_out(const Segment& wall) const {
-    const LongPoint along = place(wall.b) - place(wall.a);
-    const Long inward = cross(along, middle_ - place(wall.a)), turn = cross(along, way_);
+    const LongPoint edge = direction_of(wall);
+    const Long inward = cross(edge, middle_ - place(wall.a)), turn = cross(edge, way_);
     return sgn(turn) != 0 && sgn(turn) != sgn(inward);
   }
   // From a wall of the cell to that opposite.
@@ -177,19 +180,14 @@ class Walker {
     return met;
   }
 
-  // Of the line of the way with a curve: its time and the parameter of the curve, between places where
-  // what is beside the way changes its sign.
-  struct OnCurve {
-    Long t, s;
-    bool at_end;
-  };
-  std::vector<OnCurve> meetings(const Bezier& wall) const {
+  // Between places where what is beside the way changes its sign.
+  std::vector<Met> times(const Bezier& wall) const {
     constexpr int kParts = 256;
     const auto beside = [&](const Long& s) { return cross(way_, point_at(wall, s) - point_); };
     const Long size = dot(way_, way_);
-    std::vector<OnCurve> found;
+    std::vector<Met> found;
     const auto add = [&](const Long& s, bool at_end) {
-      found.push_back({dot(way_, point_at(wall, s) - point_) / size, s, at_end});
+      found.push_back({dot(way_, point_at(wall, s) - point_) / size, at_end, s});
     };
     for (const int end : {0, 1})
       if (abs(beside(number(end))) <= small_ * size) add(number(end), true);
@@ -222,30 +220,25 @@ class Walker {
   }
   LongPoint point_at(const Bezier& wall, const Long& s) const {
     if (!wall.is_weighted()) return divided(points_of(wall), s, 1)[0];
-    const std::vector<LongPoint> p = points_of(wall);
     const Long r = 1 - s, first = r * r, middle = 2 * r * s * number(wall.weight), last = s * s;
-    const Long whole = first + middle + last;
-    return {(first * p[0].x + middle * p[1].x + last * p[2].x) / whole,
-            (first * p[0].y + middle * p[1].y + last * p[2].y) / whole};
+    return quotient(weighted(wall, first, middle, last), first + middle + last);
   }
+  LongPoint weighted(const Bezier& wall, const Long& first, const Long& middle,
+                     const Long& last) const {
+    const std::vector<LongPoint> p = points_of(wall);
+    return first * p[0] + middle * p[1] + last * p[2];
+  }
+  static LongPoint quotient(const LongPoint& v, const Long& by) { return {v.x / by, v.y / by}; }
   // Of a weighted curve by the quotient's rule, with n = point whole: whole point' = n' - whole' point.
   LongPoint rate_at(const Bezier& wall, const Long& s) const {
     if (wall.is_weighted()) {
-      const std::vector<LongPoint> p = points_of(wall);
       const Long w = number(wall.weight), r = 1 - s;
       const Long first = -2 * r, middle = 2 * w * (r - s), last = 2 * s;
       const Long whole = r * r + 2 * r * s * w + s * s, rise = first + middle + last;
-      const LongPoint at = point_at(wall, s);
-      return {(first * p[0].x + middle * p[1].x + last * p[2].x - rise * at.x) / whole,
-              (first * p[0].y + middle * p[1].y + last * p[2].y - rise * at.y) / whole};
+      return quotient(weighted(wall, first, middle, last) - rise * point_at(wall, s), whole);
     }
     const std::vector<LongPoint> chord = divided(points_of(wall), s, 2);
     return number(wall.degree) * (chord[1] - chord[0]);
-  }
-  std::vector<Met> times(const Bezier& wall) const {
-    std::vector<Met> times;
-    for (const OnCurve& met : meetings(wall)) times.push_back({met.t, met.at_end});
-    return times;
   }
 
   // Parts of the half-diameters that a vector is the sum of, by Cramer's rule.
@@ -260,8 +253,8 @@ class Walker {
     if (arc.extent == Arc::Extent::whole) return false;
     const LongPoint to = point - place(arc.curve.centre);
     if (arc.extent == Arc::Extent::half) return sign_of_end(dot(to, place(arc.from)));
-    const LongPoint from = place(arc.from) - place(arc.curve.centre),
-                    last = place(arc.to) - place(arc.curve.centre);
+    const LongPoint centre = place(arc.curve.centre), from = place(arc.from) - centre,
+                    last = place(arc.to) - centre;
     const auto begun = sign_of_end(cross(from, to)), open = sign_of_end(cross(to, last));
     const bool reflex = sgn(cross(from, last)) < 0;
     if (reflex ? !begun && !open : !begun || !open) return std::nullopt;
@@ -273,24 +266,18 @@ class Walker {
     return x < -small_ ? std::nullopt : std::optional(x <= small_);
   }
 
-  LongPoint normal_of(const Segment& wall) const {
-    const LongPoint along = place(wall.b) - place(wall.a);
-    return {-along.y, along.x};
-  }
-  LongPoint normal_of(const Arc& arc) const {  // across the tangent
+  // A wall's direction at the point.
+  LongPoint direction_of(const Segment& wall) const { return place(wall.b) - place(wall.a); }
+  LongPoint direction_of(const Arc& arc) const {
     const Ellipse& curve = arc.curve;
     const LongPoint at = in_circle(curve, point_ - place(curve.centre));
-    const LongPoint tangent = at.x * place(curve.v) - at.y * place(curve.u);
-    return {tangent.y, -tangent.x};
+    return at.x * place(curve.v) - at.y * place(curve.u);
   }
-
-  LongPoint normal_of(const Bezier& wall) const {
-    const std::vector<OnCurve> all = meetings(wall);
-    const auto here =
-        std::min_element(all.begin(), all.end(),
-                         [](const OnCurve& a, const OnCurve& b) { return abs(a.t) < abs(b.t); });
-    const LongPoint rate = rate_at(wall, here->s);
-    return {-rate.y, rate.x};
+  LongPoint direction_of(const Bezier& wall) const {
+    const std::vector<Met> all = times(wall);
+    const auto here = std::min_element(
+        all.begin(), all.end(), [](const Met& a, const Met& b) { return abs(a.t) < abs(b.t); });
+    return rate_at(wall, here->s);
   }
 
   const Surfaces& walls_;
