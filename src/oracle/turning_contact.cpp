@@ -135,63 +135,27 @@ double own_speed(const TurningCore& body, double t) {
   return speed;
 }
 
-class Scan {
- public:
-  Scan(const TurningCore& a, const TurningCore& b, double length)
-      : a_(a),
-        b_(b),
-        length_(length),
-        speed_(1e-300 + (1 + 1e-12) * ((b.velocity - a.velocity).norm() + own_speed(a, length) +
-                                       own_speed(b, length))) {}
+constexpr double kClose = 1e-9;
+constexpr FirstTouch kUnknown{FirstTouch::Kind::unknown, 0, 0};
 
-  FirstTouch run() const {
-    double now = 0;
-    int close_before = 0;
-    while (true) {
-      const double apart = distance(a_, b_, now);
-      if (apart > kClose) {
-        const double step = (apart - 0.5 * kClose) / speed_;
-        if (now + step >= length_)
-          return close_before > 0 ? unknown() : FirstTouch{FirstTouch::Kind::none, 0, 0};
-        now += step;
-        continue;
-      }
-      const double from = std::max(0.0, now - 2 * kClose / speed_);
-      if (const FirstTouch touch = closely(from); touch.kind == FirstTouch::Kind::touch)
-        return touch;
-      if (++close_before > kMostClose) return unknown();
-      now += kClose / speed_;
-      if (now >= length_) return unknown();
-    }
+// The touch that follows at once on a time when they are close; `step` closes no more than kClose.
+FirstTouch touch_after(const TurningCore& a, const TurningCore& b, double from, double length,
+                       double step) {
+  if (apart_at(a, b, from) < 0) return {FirstTouch::Kind::touch, from, from};
+  double low = from, high = from;
+  for (double after = step; after < 1e6 * step; after *= 2) {
+    high = std::min(from + after, length);
+    if (apart_at(a, b, high) < 0) break;
+    low = high;
+    if (high == length) return kUnknown;
   }
-
- private:
-  static constexpr double kClose = 1e-9;
-  static constexpr int kMostClose = 16;
-  static FirstTouch unknown() { return {FirstTouch::Kind::unknown, 0, 0}; }
-
-  FirstTouch closely(double from) const {
-    if (apart_at(a_, b_, from) < 0) return {FirstTouch::Kind::touch, from, from};
-    double low = from, high = from;
-    double after = kClose / speed_;
-    while (after < 1e6 * kClose / speed_) {
-      high = std::min(from + after, length_);
-      if (apart_at(a_, b_, high) < 0) break;
-      low = high;
-      if (high == length_) return unknown();
-      after *= 2;
-    }
-    if (low == high) return unknown();
-    while (true) {
-      const double middle = low + 0.5 * (high - low);
-      if (middle <= low || middle >= high) return {FirstTouch::Kind::touch, low, high};
-      (apart_at(a_, b_, middle) < 0 ? high : low) = middle;
-    }
+  if (low == high) return kUnknown;
+  while (true) {
+    const double middle = low + 0.5 * (high - low);
+    if (middle <= low || middle >= high) return {FirstTouch::Kind::touch, low, high};
+    (apart_at(a, b, middle) < 0 ? high : low) = middle;
   }
-
-  const TurningCore &a_, &b_;
-  const double length_, speed_;
-};
+}
 
 }  // namespace
 
@@ -204,7 +168,26 @@ int apart_at(const TurningCore& a, const TurningCore& b, double t) {
 }
 
 FirstTouch first_touch(const TurningCore& a, const TurningCore& b, double length) {
-  return Scan(a, b, length).run();
+  constexpr int kMostClose = 16;
+  const double speed = 1e-300 + (1 + 1e-12) * ((b.velocity - a.velocity).norm() +
+                                               own_speed(a, length) + own_speed(b, length));
+  const double step = kClose / speed;
+  double now = 0;
+  int close_before = 0;
+  while (true) {
+    const double apart = distance(a, b, now);
+    if (apart > kClose) {
+      now += (apart - 0.5 * kClose) / speed;
+      if (now < length) continue;
+      return close_before > 0 ? kUnknown : FirstTouch{FirstTouch::Kind::none, 0, 0};
+    }
+    const double from = std::max(0.0, now - 2 * kClose / speed);
+    if (const FirstTouch touch = touch_after(a, b, from, length, step);
+        touch.kind == FirstTouch::Kind::touch)
+      return touch;
+    now += step;
+    if (++close_before > kMostClose || now >= length) return kUnknown;
+  }
 }
 
 }  // namespace flatray::oracle

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <span>
 #include <vector>
 
 #include "geom/ray.h"
@@ -15,7 +14,7 @@ struct CoreSwing {
 /// A convex core with all points within `radius` of it: vertex p is at + t * velocity + R(angle + t *
 /// spin) p, and what its swings add.
 struct TurningCore {
-  std::span<const Vec2> ring;
+  std::vector<Vec2> ring;
   double radius;
   Vec2 at, velocity;
   double angle, spin;

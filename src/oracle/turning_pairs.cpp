@@ -36,10 +36,8 @@ TurningPair aimed(Draw& draw, std::vector<Vec2> ring_a, std::vector<Vec2> ring_b
   const double spin_b = draw.unit() < 0.3 ? 0 : between(draw, -most_spin, most_spin);
   const double x = between(draw, -3, 3), y = between(draw, -3, 3);
   const Vec2 at(x, y), way = -speed * from;
-  return {std::move(ring_a),
-          std::move(ring_b),
-          {{}, 0, at, {0.5, -0.25}, angle_a, spin_a},
-          {{}, 0, at + distance * from + miss * beside, way, angle_b, spin_b}};
+  return {{std::move(ring_a), 0, at, {0.5, -0.25}, angle_a, spin_a},
+          {std::move(ring_b), 0, at + distance * from + miss * beside, way, angle_b, spin_b}};
 }
 
 TurningPair cornered(Draw& draw, int least_a, int least_b, double flat, double most_spin) {
@@ -53,8 +51,8 @@ TurningPair fast(Draw& draw) { return cornered(draw, 2, 3, 0.5, 80); }
 
 TurningPair rounded(Draw& draw) {
   TurningPair pair = cornered(draw, 1, 1, 1, 6);
-  pair.shaped_a.radius = draw.unit() < 0.3 ? 0 : between(draw, 0.01, 0.5);
-  pair.shaped_b.radius = between(draw, 0.01, 0.5);
+  pair.a.radius = draw.unit() < 0.3 ? 0 : between(draw, 0.01, 0.5);
+  pair.b.radius = between(draw, 0.01, 0.5);
   return pair;
 }
 
@@ -73,8 +71,8 @@ TurningPair segments(Draw& draw) {
 TurningPair far_away(Draw& draw) {
   TurningPair pair = polygons(draw);
   const double x = draw.sign() * 0x1p20, y = draw.sign() * 0x1p20;
-  pair.shaped_a.at += Vec2(x, y);
-  pair.shaped_b.at += Vec2(x, y);
+  pair.a.at += Vec2(x, y);
+  pair.b.at += Vec2(x, y);
   return pair;
 }
 
@@ -88,10 +86,8 @@ TurningPair squares(Draw& draw) {
   const double spin_a = draw.below(5) - 2, spin_b = draw.below(3) - 1;
   const double x = 3 + draw.below(3), y = draw.below(3), way = draw.below(6);
   constexpr double kEighth = std::numbers::pi / 4;
-  return {square(half_a),
-          square(half_b),
-          {{}, 0, {0, 0}, {0, 0}, turn_a * kEighth, spin_a * kEighth},
-          {{}, 0, {x, y}, {-way, 0}, turn_b * kEighth, spin_b * kEighth}};
+  return {{square(half_a), 0, {0, 0}, {0, 0}, turn_a * kEighth, spin_a * kEighth},
+          {square(half_b), 0, {x, y}, {-way, 0}, turn_b * kEighth, spin_b * kEighth}};
 }
 
 // A corner passes a side by 2^-k of a unit, or into it: the arm of a turning body is that much
@@ -102,11 +98,10 @@ TurningPair grazing(Draw& draw) {
   const double angle = 2 * std::numbers::pi * draw.unit(), spin = between(draw, 2.5, 6);
   const Vec2 across = on_circle(angle), along(-across.y(), across.x());
   const double wall = arm + off;
-  std::vector<Vec2> side = {{0, -2}, {1, -2}, {1, 2}, {0, 2}};
-  return {{{-0.25, -0.125}, {arm, 0}, {-0.25, 0.125}},
-          std::move(side),
-          {{}, 0, {0, 0}, 0.1 * turned * along, angle - 0.5 * spin, spin},
-          {{}, 0, wall * across, {0, 0}, angle, 0}};
+  const std::vector<Vec2> hand = {{-0.25, -0.125}, {arm, 0}, {-0.25, 0.125}},
+                          side = {{0, -2}, {1, -2}, {1, 2}, {0, 2}};
+  return {{hand, 0, {0, 0}, 0.1 * turned * along, angle - 0.5 * spin, spin},
+          {side, 0, wall * across, {0, 0}, angle, 0}};
 }
 
 constexpr TurningFamily kFamilies[] = {

@@ -19,7 +19,7 @@ TurningBody body(const oracle::TurningCore& core) {
 
 // Apart before first.low, overlapping at first.high, and the truth between; or truly apart.
 void expect_proven(const oracle::TurningPair& pair, const TurningContact& met) {
-  const oracle::FirstTouch truth = oracle::first_touch(pair.a(), pair.b(), 1);
+  const oracle::FirstTouch truth = oracle::first_touch(pair.a, pair.b, 1);
   if (truth.kind == oracle::FirstTouch::Kind::unknown) return;
   const bool touch = truth.kind == oracle::FirstTouch::Kind::touch;
   if (met.verdict != Verdict::undecided) {
@@ -29,7 +29,7 @@ void expect_proven(const oracle::TurningPair& pair, const TurningContact& met) {
   EXPECT_LE(met.first.low, truth.high);
   EXPECT_GE(met.first.high, truth.low);
   if (met.verdict == Verdict::meets) {
-    EXPECT_EQ(oracle::apart_at(pair.a(), pair.b(), met.first.high), -1);
+    EXPECT_EQ(oracle::apart_at(pair.a, pair.b, met.first.high), -1);
   }
 }
 
@@ -39,7 +39,7 @@ TEST(TurningContact, AgreesWithBisectionInManyBits) {
     for (std::uint64_t item = 0; item < 60; ++item) {
       SCOPED_TRACE(std::string(family.name) + " " + std::to_string(item));
       const oracle::TurningPair pair = oracle::make_pair(family, 1, item);
-      const TurningContact found = turning_contact(body(pair.a()), body(pair.b()), 1, kWidth);
+      const TurningContact found = turning_contact(body(pair.a), body(pair.b), 1, kWidth);
       expect_proven(pair, found);
       met += found.verdict == Verdict::meets ? 1 : 0;
       undecided += found.verdict == Verdict::undecided ? 1 : 0;
@@ -69,13 +69,13 @@ TEST(TurningContact, AHandMeetsAShelf) {
 TEST(TurningContact, HoldsTheTimeOfStraightMotion) {
   for (std::uint64_t item = 0; item < 300; ++item) {
     oracle::TurningPair pair = oracle::make_pair(oracle::turning_families()[0], 3, item);
-    pair.shaped_a.angle = pair.shaped_b.angle = pair.shaped_a.spin = pair.shaped_b.spin = 0;
-    const TurningBody a = body(pair.a()), b = body(pair.b());
+    pair.a.angle = pair.b.angle = pair.a.spin = pair.b.spin = 0;
+    const TurningBody a = body(pair.a), b = body(pair.b);
     std::vector<Vec2> ring_a, ring_b;
-    for (const Vec2& p : a.ring) ring_a.push_back(pair.shaped_a.at + p);
-    for (const Vec2& p : b.ring) ring_b.push_back(pair.shaped_b.at + p);
+    for (const Vec2& p : a.ring) ring_a.push_back(pair.a.at + p);
+    for (const Vec2& p : b.ring) ring_b.push_back(pair.b.at + p);
     const HitInterval exact =
-        contact({ring_a, pair.shaped_a.velocity}, {ring_b, pair.shaped_b.velocity}, {0, 1}).times;
+        contact({ring_a, pair.a.velocity}, {ring_b, pair.b.velocity}, {0, 1}).times;
     const TurningContact met = turning_contact(a, b, 1, kWidth);
     ASSERT_EQ(met.verdict == Verdict::meets, exact.kind == HitClass::through) << item;
     if (met.verdict != Verdict::meets) continue;
@@ -89,17 +89,16 @@ TEST(TurningContact, HoldsTheTimeOfStraightMotion) {
 
 TEST(TurningContact, TheSameAtAnyScale) {
   const oracle::TurningPair pair = oracle::make_pair(oracle::turning_families()[1], 5, 2);
-  const TurningContact one = turning_contact(body(pair.a()), body(pair.b()), 1, kWidth);
+  const TurningContact one = turning_contact(body(pair.a), body(pair.b), 1, kWidth);
   for (const int exponent : {-900, -300, 300, 900}) {
     oracle::TurningPair other = pair;
-    for (auto* ring : {&other.ring_a, &other.ring_b})
-      for (Vec2& p : *ring) p *= std::ldexp(1.0, exponent);
-    for (auto* core : {&other.shaped_a, &other.shaped_b}) {
+    for (auto* core : {&other.a, &other.b}) {
+      for (Vec2& p : core->ring) p *= std::ldexp(1.0, exponent);
       core->at *= std::ldexp(1.0, exponent);
       core->velocity *= std::ldexp(1.0, exponent);
       core->radius *= std::ldexp(1.0, exponent);
     }
-    const TurningContact met = turning_contact(body(other.a()), body(other.b()), 1, kWidth);
+    const TurningContact met = turning_contact(body(other.a), body(other.b), 1, kWidth);
     EXPECT_EQ(met.verdict, one.verdict);
     EXPECT_EQ(met.first.low, one.first.low);
     EXPECT_EQ(met.first.high, one.first.high);

@@ -23,8 +23,8 @@ void put(Hash& hash, const StraightPair& pair) {
   if (pair.radius_a > 0 || pair.radius_b > 0) put(hash, pair.radius_a), put(hash, pair.radius_b);
 }
 void put(Hash& hash, const TurningPair& pair) {
-  for (const TurningCore& core : {pair.a(), pair.b()}) {
-    put(hash, std::vector<Vec2>(core.ring.begin(), core.ring.end()));
+  for (const TurningCore& core : {pair.a, pair.b}) {
+    put(hash, core.ring);
     for (const double x : {core.radius, core.angle, core.spin}) put(hash, x);
     put(hash, core.at), put(hash, core.velocity);
   }

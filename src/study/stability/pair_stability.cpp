@@ -104,13 +104,13 @@ TurningBody body(const oracle::TurningCore& core) {
 void compare(StabilityTally& tally, std::uint64_t item, const oracle::TurningPair& pair) {
   using Verdict = TurningContact::Verdict;
   using Kind = oracle::FirstTouch::Kind;
-  const TurningContact met = turning_contact(body(pair.a()), body(pair.b()), 1, kAskedWidth);
-  const oracle::FirstTouch truth = oracle::first_touch(pair.a(), pair.b(), 1);
+  const TurningContact met = turning_contact(body(pair.a), body(pair.b), 1, kAskedWidth);
+  const oracle::FirstTouch truth = oracle::first_touch(pair.a, pair.b, 1);
   ++tally.rays;
   tally.hits += truth.kind == Kind::touch ? 1 : 0;
   if (met.verdict == Verdict::undecided || truth.kind == Kind::unknown) ++tally.by_rationals;
   const bool meets = met.verdict == Verdict::meets;
-  bool wrong = meets && oracle::apart_at(pair.a(), pair.b(), met.first.high) > 0;
+  bool wrong = meets && oracle::apart_at(pair.a, pair.b, met.first.high) > 0;
   if (truth.kind == Kind::touch) {
     const bool held = met.first.low <= truth.high && met.first.high >= truth.low;
     if (met.verdict == Verdict::apart || !held) ++tally.missed;

@@ -62,36 +62,31 @@ Answer polygons_meet(const Body& a, const Body& b, double length) {
 }
 
 // A part times a power of two: the oracle wants sizes about 1.
-struct Core {
-  std::vector<Vec2> ring;
-  oracle::TurningCore core;
-
-  Core(const ShapePart& part, const Body& body, double scale) {
-    for (const Vec2& p : part.ring) ring.push_back(scale * p);
-    const RigidMotion& motion = body.motion;
-    const Cubic<Vec2> at = scale * motion.at;
-    const auto& angle = motion.angle.c;
-    core = {ring,
-            scale * part.radius,
-            body.straight ? Vec2(0, 0) : at.c[0],
-            at.c[1],
-            body.straight ? 0 : angle[0],
-            angle[1],
-            {angle[2], angle[3]},
-            {}};
-    if (!at.is_linear())
-      core.swings.push_back(
-          {{0, 0, at.c[2].x(), at.c[3].x()}, {0, 0, at.c[2].y(), at.c[3].y()}, {0, 0, 0, 0}});
-    for (const Swing& swing : motion.swings) {
-      oracle::CoreSwing& there = core.swings.emplace_back();
-      for (std::size_t i = 0; i < 4; ++i) {
-        there.x[i] = scale * swing.arm.c[i].x();
-        there.y[i] = scale * swing.arm.c[i].y();
-      }
-      there.angle = swing.turned.c;
+oracle::TurningCore core_of(const ShapePart& part, const Body& body, double scale) {
+  const RigidMotion& motion = body.motion;
+  const Cubic<Vec2> at = scale * motion.at;
+  const auto& angle = motion.angle.c;
+  oracle::TurningCore core{.ring = {},
+                           .radius = scale * part.radius,
+                           .at = body.straight ? Vec2(0, 0) : at.c[0],
+                           .velocity = at.c[1],
+                           .angle = body.straight ? 0 : angle[0],
+                           .spin = angle[1],
+                           .angle_bends = {angle[2], angle[3]}};
+  for (const Vec2& p : part.ring) core.ring.push_back(scale * p);
+  if (!at.is_linear())
+    core.swings.push_back(
+        {{0, 0, at.c[2].x(), at.c[3].x()}, {0, 0, at.c[2].y(), at.c[3].y()}, {0, 0, 0, 0}});
+  for (const Swing& swing : motion.swings) {
+    oracle::CoreSwing& there = core.swings.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) {
+      there.x[i] = scale * swing.arm.c[i].x();
+      there.y[i] = scale * swing.arm.c[i].y();
     }
+    there.angle = swing.turned.c;
   }
-};
+  return core;
+}
 
 double size_of(const ShapePart& part) { return about(part.ring).reach + part.radius; }
 
@@ -101,8 +96,8 @@ Answer cores_meet(const Body& a, const Body& b, double length) {
     for (const ShapePart& q : b.parts) {
       const double size = std::max({size_of(p), size_of(q), 0x1p-500});
       const double scale = std::ldexp(1.0, -std::ilogb(size));
-      const Core one(p, a, scale), other(q, b, scale);
-      const auto kind = oracle::first_touch(one.core, other.core, length).kind;
+      const auto kind =
+          oracle::first_touch(core_of(p, a, scale), core_of(q, b, scale), length).kind;
       if (kind == oracle::FirstTouch::Kind::touch) return Answer::meet;
       if (kind == oracle::FirstTouch::Kind::unknown) answer = Answer::grazing;
     }

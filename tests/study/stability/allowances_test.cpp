@@ -141,8 +141,8 @@ TEST(Allowances, OfTurningPairsAreFarBelowAFrame) {
       return TurningBody{core.ring, core.radius,
                          even_motion(core.at, core.velocity, core.angle, core.spin)};
     };
-    const oracle::FirstTouch truth = oracle::first_touch(pair.a(), pair.b(), 1);
-    const TurningContact met = turning_contact(body(pair.a()), body(pair.b()), 1, kAskedWidth);
+    const oracle::FirstTouch truth = oracle::first_touch(pair.a, pair.b, 1);
+    const TurningContact met = turning_contact(body(pair.a), body(pair.b), 1, kAskedWidth);
     if (truth.kind != oracle::FirstTouch::Kind::touch ||
         met.first.high - met.first.low > kAskedWidth)
       continue;
