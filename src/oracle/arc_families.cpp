@@ -32,10 +32,10 @@ Vec2 unit_vector(Draw& draw) {
 Arc whole(const Ellipse& curve) { return {curve, Arc::Extent::whole, {0, 0}, {0, 0}}; }
 
 // Of curves drawn one by one.
-template <class Make>
-Scene curves(int count, const Make& make) {
+template <Arc (*make)(Draw&)>
+Scene curves(Draw& draw) {
   Scene scene;
-  for (int i = 0; i < count; ++i) scene.curves.push_back(make());
+  for (int i = 0; i < kCurves; ++i) scene.curves.push_back(make(draw));
   return scene;
 }
 
@@ -76,11 +76,9 @@ Ray at_whole_circle(const Scene& scene, Draw& draw) {
   return {at - sign * back * way, kind == 2 ? Vec2(0, 0) : Vec2(sign * way)};
 }
 
-Scene random_circles(Draw& draw) {
-  return curves(kCurves, [&] {
-    const Vec2 centre = draw.point();
-    return whole(Circle{centre, 0.3 * draw.unit()});
-  });
+Arc random_circle(Draw& draw) {
+  const Vec2 centre = draw.point();
+  return whole(Circle{centre, 0.3 * draw.unit()});
 }
 
 OnCurve on_curve(const Ellipse& curve, Draw& draw) {
@@ -187,22 +185,17 @@ Ray at_any_circle(const Scene& scene, Draw& draw) {
 }
 
 Scene arcs_with_chords(Draw& draw) {
-  Scene scene = curves(kCurves, [&] { return any_arc(draw); });
+  Scene scene = curves<any_arc>(draw);
   for (const Arc& arc : scene.curves)
     if (arc.extent == Arc::Extent::between) scene.walls.push_back({arc.to, arc.from});
   return scene;
 }
-Scene any_ellipses(Draw& draw) {
-  return curves(kCurves, [&] { return any_ellipse(draw); });
-}
 
 // Radii and distances from 2^-50 to 2^49 beside each other, about one point.
-Scene of_all_sizes(Draw& draw) {
-  return curves(kCurves, [&] {
-    const Vec2 place = draw.point();
-    const double size = draw.power(-50, 50), radius = size * (0.5 + draw.unit());
-    return whole(Circle{draw.power(-50, 50) * place, radius});
-  });
+Arc circle_of_any_size(Draw& draw) {
+  const Vec2 place = draw.point();
+  const double size = draw.power(-50, 50), radius = size * (0.5 + draw.unit());
+  return whole(Circle{draw.power(-50, 50) * place, radius});
 }
 Ray tangent_or_from_curve(const Scene& scene, Draw& draw) {
   return draw.sign() > 0 ? tangent_ray(scene, draw) : ray_from_curve(scene, draw);
@@ -219,19 +212,20 @@ std::vector<Family> arc_families() {
   return {
       {"circles", "circles about whole numbers, tangents and chords through whole points",
        &whole_circles, &at_whole_circle},
-      {"tangents", "rays within an ulp of tangents of circles", &random_circles, &tangent_ray},
+      {"tangents", "rays within an ulp of tangents of circles", &curves<random_circle>,
+       &tangent_ray},
       {"from-circles", "rays from circles, or an ulp off them: along, inward, outward",
-       &random_circles, &ray_from_curve},
+       &curves<random_circle>, &ray_from_curve},
       {"arc-ends", "rays at ends of arcs on their circle, next to it and far off",
        &arcs_with_chords, &at_arc_end},
-      {"ellipses", "ellipses and parts of them, flattened by up to 2^-19", &any_ellipses,
+      {"ellipses", "ellipses and parts of them, flattened by up to 2^-19", &curves<any_ellipse>,
        &at_ellipse},
       {"round-scaled", "circles and arcs in units of 2^-900 to 2^899", &circles_and_arcs,
        &at_any_circle, &scaled},
       {"round-offset", "circles and arcs moved by 2^30 to 2^49", &circles_and_arcs, &at_any_circle,
        &far_away},
-      {"round-magnitudes", "circles of radius and distance 2^-50 to 2^49", &of_all_sizes,
-       &tangent_or_from_curve},
+      {"round-magnitudes", "circles of radius and distance 2^-50 to 2^49",
+       &curves<circle_of_any_size>, &tangent_or_from_curve},
   };
 }
 

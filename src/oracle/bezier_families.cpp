@@ -75,6 +75,10 @@ Target whole_curve(Draw& draw) {
   return target;
 }
 
+Target special_or_whole_curve(Draw& draw) {
+  return draw.sign() > 0 ? special_curve(draw) : whole_curve(draw);
+}
+
 Target random_curve(Draw& draw) {
   Target target;
   const std::size_t count = draw.sign() > 0 ? 3 : 4;
@@ -126,11 +130,11 @@ Ray ray_at(const AimedScene& scene, Draw& draw) {
   return {origin, ray.direction == Vec2(0, 0) ? ray.direction : nudge(ray.direction, draw)};
 }
 
-template <class Make>
-AimedScene curves(const Make& make) {
+template <Target (*make)(Draw&)>
+AimedScene curves(Draw& draw) {
   AimedScene scene;
   for (int i = 0; i < kCurves; ++i) {
-    Target target = make();
+    Target target = make(draw);
     Bezier curve(target.points);
     curve.weight = target.weight;
     if (!curve.is_weighted())
@@ -139,18 +143,6 @@ AimedScene curves(const Make& make) {
     scene.places.push_back(std::move(target.places));
   }
   return scene;
-}
-AimedScene whole_curves(Draw& draw) {
-  return curves([&] { return draw.sign() > 0 ? special_curve(draw) : whole_curve(draw); });
-}
-AimedScene random_curves(Draw& draw) {
-  return curves([&] { return random_curve(draw); });
-}
-AimedScene whole_conics(Draw& draw) {
-  return curves([&] { return whole_conic(draw); });
-}
-AimedScene random_conics(Draw& draw) {
-  return curves([&] { return random_conic(draw); });
 }
 
 Move far_away(Draw& draw) {
@@ -164,17 +156,20 @@ Move thin(Draw& draw) { return flattened(draw.halves(300)); }
 std::vector<Family> bezier_families() {
   return {
       {"beziers", "loops, cusps and inflections that doubles hold, and tangents there",
-       &whole_curves, &ray_at},
-      {"bezier-scaled", "Bezier curves in units of 2^-900 to 2^899", &whole_curves, &ray_at,
+       &curves<special_or_whole_curve>, &ray_at},
+      {"bezier-scaled", "Bezier curves in units of 2^-900 to 2^899",
+       &curves<special_or_whole_curve>, &ray_at, &scaled},
+      {"bezier-offset", "Bezier curves moved by 2^10 to 2^29", &curves<special_or_whole_curve>,
+       &ray_at, &far_away},
+      {"bezier-sliver", "Bezier curves flattened by up to 2^-299", &curves<special_or_whole_curve>,
+       &ray_at, &thin},
+      {"bezier-random", "Bezier curves of random doubles", &curves<random_curve>, &ray_at},
+      {"conics", "parts of ellipses and hyperbolas, and tangents that doubles hold",
+       &curves<whole_conic>, &ray_at},
+      {"conic-scaled", "the same in units of 2^-900 to 2^899", &curves<whole_conic>, &ray_at,
        &scaled},
-      {"bezier-offset", "Bezier curves moved by 2^10 to 2^29", &whole_curves, &ray_at, &far_away},
-      {"bezier-sliver", "Bezier curves flattened by up to 2^-299", &whole_curves, &ray_at, &thin},
-      {"bezier-random", "Bezier curves of random doubles", &random_curves, &ray_at},
-      {"conics", "parts of ellipses and hyperbolas, and tangents that doubles hold", &whole_conics,
-       &ray_at},
-      {"conic-scaled", "the same in units of 2^-900 to 2^899", &whole_conics, &ray_at, &scaled},
-      {"conic-sliver", "the same flattened by up to 2^-299", &whole_conics, &ray_at, &thin},
-      {"conic-random", "parts of ellipses and hyperbolas of random doubles", &random_conics,
+      {"conic-sliver", "the same flattened by up to 2^-299", &curves<whole_conic>, &ray_at, &thin},
+      {"conic-random", "parts of ellipses and hyperbolas of random doubles", &curves<random_conic>,
        &ray_at},
   };
 }

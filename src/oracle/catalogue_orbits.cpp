@@ -8,6 +8,12 @@ namespace {
 using Orbits = std::vector<StiffOrbits>;
 using End = StiffOrbits::End;
 
+// Of one start.
+StiffOrbits from(Surfaces walls, const Ray& start, std::uint64_t bounces, End end,
+                 std::uint64_t count, std::uint64_t ordered = 0) {
+  return {std::move(walls), {start}, bounces, end, count, ordered};
+}
+
 // In a convex room: nothing leaves, and the first `ordered` walls are those of many bits.
 StiffOrbits in_room(const Ring& vertices, const Ray& start, std::uint64_t bounces,
                     std::uint64_t ordered) {
@@ -15,18 +21,14 @@ StiffOrbits in_room(const Ring& vertices, const Ray& start, std::uint64_t bounce
 }
 
 StiffOrbits in_circle(const Ray& start, std::uint64_t bounces) {
-  return {walls_of(Circle{{0, 0}, 1}), {start}, bounces, End::limit, bounces};
+  return from(walls_of(Circle{{0, 0}, 1}), start, bounces, End::limit, bounces);
 }
 
 // Walls y = 0 and through (0, 0) and (run, 1).
 StiffOrbits in_wedge(double run, const Ray& start, std::uint64_t bounces, End end,
                      std::uint64_t count, std::uint64_t ordered) {
-  return {walls_of(Segment{{0, 0}, {1000 * run, 0}}, Segment{{0, 0}, {1000 * run, 1000}}),
-          {start},
-          bounces,
-          end,
-          count,
-          ordered};
+  return from(walls_of(Segment{{0, 0}, {1000 * run, 0}}, Segment{{0, 0}, {1000 * run, 1000}}),
+              start, bounces, end, count, ordered);
 }
 
 Orbits parallel_entries() {
@@ -41,9 +43,9 @@ Orbits any_entry() {
   for (const double run : {4.0, 37.0, 250.0}) {
     const double alpha = portable::atan2(1, run), theta = alpha / 2;
     const Vec2 out = on_circle(theta);
-    const Vec2 from = 100 * run * out + 1e-3 * Vec2(-out.y(), out.x());
+    const Vec2 start = 100 * run * out + 1e-3 * Vec2(-out.y(), out.x());
     const auto count = static_cast<std::uint64_t>(std::ceil((kTurn / 2 + theta) / alpha)) - 1;
-    all.push_back(in_wedge(run, {from, -out}, 1000, End::escape, count, count));
+    all.push_back(in_wedge(run, {start, -out}, 1000, End::escape, count, count));
   }
   return all;
 }
@@ -53,12 +55,8 @@ Orbits three_mirrors() {
   for (const double y : {0.0, 0x1p-60, -0x1p-60}) {
     const std::uint64_t count = y == 0 ? 0 : 1;
     all.push_back(
-        {walls_of(Segment{{0, 0}, {-1, 2}}, Segment{{0, 0}, {-1, -2}}, Segment{{0, 0}, {2, 0}}),
-         {{{-4, y}, {1, 0}}},
-         10,
-         y == 0 ? End::corner : End::escape,
-         count,
-         count});
+        from(walls_of(Segment{{0, 0}, {-1, 2}}, Segment{{0, 0}, {-1, -2}}, Segment{{0, 0}, {2, 0}}),
+             {{-4, y}, {1, 0}}, 10, y == 0 ? End::corner : End::escape, count, count));
   }
   return all;
 }
@@ -96,13 +94,10 @@ Orbits tangent_to_a_wall() {
 
 Orbits thin_wall() {
   Orbits all;
-  for (const double from : {0.0, 2.0})
-    all.push_back({walls_of(Segment{{1, -1}, {1, 1}}, Segment{{1 + 0x1p-40, -1}, {1 + 0x1p-40, 1}}),
-                   {{{from, 0}, {1 - from, 0.25}}},
-                   3,
-                   End::escape,
-                   1,
-                   1});
+  for (const double x : {0.0, 2.0})
+    all.push_back(
+        from(walls_of(Segment{{1, -1}, {1, 1}}, Segment{{1 + 0x1p-40, -1}, {1 + 0x1p-40, 1}}),
+             {{x, 0}, {1 - x, 0.25}}, 3, End::escape, 1, 1));
   return all;
 }
 
@@ -143,14 +138,10 @@ std::vector<StiffCase> in_polygons() {
                   100)}),
       of("C28", "thin wall", "transport.StiffCases.C28ThinWall", thin_wall()),
       of("C31", "parallel mirrors", "transport.StiffCases.C31ParallelMirrors",
-         {{walls_of(Segment{{0, 0}, {1, 0}}, Segment{{0, 1}, {1, 1}}),
-           {{{0.3, 0.5}, {0, 1}}},
-           1000,
-           End::limit,
-           1000,
-           1000}}),
+         {from(walls_of(Segment{{0, 0}, {1, 0}}, Segment{{0, 1}, {1, 1}}), {{0.3, 0.5}, {0, 1}},
+               1000, End::limit, 1000, 1000)}),
       of("C32", "open chamber", "transport.StiffCases.C32OpenChamber",
-         {{walls_of(Segment{{0, 0}, {4, 0}}), {{{2, 1}, {1, -1}}}, 10, End::escape, 1, 1}}),
+         {from(walls_of(Segment{{0, 0}, {4, 0}}), {{2, 1}, {1, -1}}, 10, End::escape, 1, 1)}),
   };
 }
 
@@ -166,11 +157,8 @@ std::vector<StiffCase> among_curves() {
       of("C16", "naive circle trap", "transport.StiffCases.C16CircleKeepsTheSpeed",
          {in_circle({{1, 0}, two}, 10'000)}),
       of("C17", "ellipse", "transport.StiffCases.C17EllipseKeepsTheProductOfItsMomenta",
-         {{walls_of(Arc{Ellipse({0, 0}, {3, 0}, {0, 2}), Arc::Extent::whole, {0, 0}, {0, 0}}),
-           {{{1, 0.5}, {1, 1}}},
-           1000,
-           End::limit,
-           1000}}),
+         {from(walls_of(Arc{Ellipse({0, 0}, {3, 0}, {0, 2}), Arc::Extent::whole, {0, 0}, {0, 0}}),
+               {{1, 0.5}, {1, 1}}, 1000, End::limit, 1000)}),
       of("C25", "nested tangent circles", "transport.StiffCases.C25NestedTangentCircles",
          nested_circles()),
       of("C26", "circle tangent to a wall", "transport.StiffCases.C26NoLeakBetweenCircleAndWall",

@@ -26,8 +26,9 @@ Rays of_ring(Ring ring, const Ray& ray, T t) {
   return rays;
 }
 
-Rays of_circle(const Circle& circle, const Ray& ray, T t) {
-  return among(walls_of(circle), ray, t);
+template <class Curve>
+Rays of_curve(const Curve& curve, const Ray& ray, T t) {
+  return among(walls_of(curve), ray, t);
 }
 
 Rays scaled(double u) { return of_ring(box(-u, -u, u, u), {{-2 * u, 0}, {4 * u, 0}}, 0.25); }
@@ -52,12 +53,13 @@ Rays decimals() {
 
 Rays tangent() {
   const Ray ray{{-5, 10}, {4, -3}};
-  return of_circle({{0, 0}, 5}, ray, 2) + of_circle({{0, 0}, std::nextafter(5.0, 0.0)}, ray, {});
+  return of_curve(Circle{{0, 0}, 5}, ray, 2) +
+         of_curve(Circle{{0, 0}, std::nextafter(5.0, 0.0)}, ray, {});
 }
 
 Rays far_circle() {
   const double half = std::sqrt(0x1p-52 - 0x1p-106);
-  return of_circle({{0, 0}, 1}, {{-1e8, 1 - 0x1p-53}, {1, 0}}, 1e8 - half);
+  return of_curve(Circle{{0, 0}, 1}, {{-1e8, 1 - 0x1p-53}, {1, 0}}, 1e8 - half);
 }
 
 Rays shared_edge() {
@@ -116,12 +118,10 @@ Rays coincident() {
 }
 
 Rays odd_circles() {
-  return of_circle({{0, 0}, 0}, {{-1, 0}, {1, 0}}, 1) +
-         of_circle({{0, 0}, 5e-324}, {{-1, 0}, {1, 0}}, 1) +
-         of_circle({{0, 0}, 1e308}, {{0, 0}, {1e308, 0}}, 1);
+  return of_curve(Circle{{0, 0}, 0}, {{-1, 0}, {1, 0}}, 1) +
+         of_curve(Circle{{0, 0}, 5e-324}, {{-1, 0}, {1, 0}}, 1) +
+         of_curve(Circle{{0, 0}, 1e308}, {{0, 0}, {1e308, 0}}, 1);
 }
-
-Rays of_curve(const Bezier& curve, const Ray& ray, T t) { return among(walls_of(curve), ray, t); }
 
 // x - 1/2 = 4 u^3 and y = 3/4 - 3 u^2: it turns back at u = 0.
 Rays cusp() {
