@@ -6,9 +6,7 @@ namespace flatray::portable {
 
 double sin(double x) { return Sleef_cinz_sind1_u10purec(x); }
 double cos(double x) { return Sleef_cinz_cosd1_u10purec(x); }
-double tan(double x) { return Sleef_cinz_tand1_u10purec(x); }
 double asin(double x) { return Sleef_cinz_asind1_u10purec(x); }
-double acos(double x) { return Sleef_cinz_acosd1_u10purec(x); }
 double atan2(double y, double x) { return Sleef_cinz_atan2d1_u10purec(y, x); }
 double exp(double x) { return Sleef_cinz_expd1_u10purec(x); }
 double log(double x) { return Sleef_cinz_logd1_u10purec(x); }

@@ -9,9 +9,7 @@ namespace flatray::portable {
 
 double sin(double x);
 double cos(double x);
-double tan(double x);
 double asin(double x);
-double acos(double x);
 double atan2(double y, double x);
 double exp(double x);
 double log(double x);
