@@ -5,16 +5,6 @@
 #include "base/portable_math.h"
 
 namespace flatray {
-namespace {
-
-std::array<float, 256> light_table() {
-  std::array<float, 256> table;
-  for (std::size_t i = 0; i < table.size(); ++i)
-    table[i] = static_cast<float>(light_of(static_cast<double>(i)));
-  return table;
-}
-
-}  // namespace
 
 double light_of(double value) {
   const double v = value / 255;
@@ -22,7 +12,12 @@ double light_of(double value) {
 }
 
 float linear_from_srgb(std::uint8_t value) {
-  static const std::array<float, 256> table = light_table();
+  static const std::array<float, 256> table = [] {
+    std::array<float, 256> light;
+    for (std::size_t i = 0; i < light.size(); ++i)
+      light[i] = static_cast<float>(light_of(static_cast<double>(i)));
+    return light;
+  }();
   return table[value];
 }
 
