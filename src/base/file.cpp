@@ -267,7 +267,7 @@ std::vector<fs::path> walked(const fs::path& folder) {
   for (Entries entry(folder, error), end; !error && entry != end; entry.increment(error))
     files.push_back(entry->path());
   if (error == std::errc::not_enough_memory) throw std::bad_alloc();
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

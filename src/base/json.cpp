@@ -35,9 +35,8 @@ class JsonWriter {
 
   // Most texts are names in plain letters, which stand for themselves.
   void add(const std::string& text) {
-    const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
-      return c >= ' ' && c <= '~' && c != '"' && c != '\\';
-    });
+    const bool plain = std::ranges::all_of(
+        text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
     if (plain)
       out_.append("\"").append(text).append("\"");
     else

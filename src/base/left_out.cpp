@@ -18,7 +18,7 @@ std::span<const std::string_view> left_out_of_build() {
 std::optional<Diagnostic> if_left_out(const Place& where, std::string_view kind,
                                       std::string_view word) {
   const auto names = left_out_of_build();
-  if (std::find(names.begin(), names.end(), fmt::format("{}s/{}", kind, word)) == names.end())
+  if (std::ranges::find(names, fmt::format("{}s/{}", kind, word)) == names.end())
     return std::nullopt;
   return Diagnostic{where, fmt::format("the {} '{}' is left out of this build", kind, word),
                     "configure it without FLATRAY_ONLY and FLATRAY_WITHOUT", Trouble::unavailable};

@@ -76,14 +76,14 @@ bool is_formula(std::string_view text) {
 std::string shown_text(std::string_view text) { return shown(text, false); }
 
 std::string shown_lines(std::string text) {
-  const bool plain = std::all_of(text.begin(), text.end(),
-                                 [](char c) { return is_plain_ascii(c) || stays_in_lines(c); });
+  const bool plain =
+      std::ranges::all_of(text, [](char c) { return is_plain_ascii(c) || stays_in_lines(c); });
   return plain ? std::move(text) : shown(text, true);  // most are, and may be long
 }
 
 std::size_t shown_width(std::string_view shown) {
   return static_cast<std::size_t>(
-      std::count_if(shown.begin(), shown.end(), [](char c) { return (byte(c) & 0xc0) != 0x80; }));
+      std::ranges::count_if(shown, [](char c) { return (byte(c) & 0xc0) != 0x80; }));
 }
 
 std::string csv_field(std::string_view text) {

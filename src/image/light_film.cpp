@@ -122,7 +122,7 @@ void LightFilm::add(std::span<const LightLine> lines, unsigned threads) {
     shares.push_back(lines.subspan(begin, end - begin));
   }
   const auto left = [](const auto& share) { return !share.empty(); };
-  while (std::any_of(shares.begin(), shares.end(), left)) {
+  while (std::ranges::any_of(shares, left)) {
     for (LightBins& bins : bins_) bins.clear();
     parallel_for(cutters, threads,
                  [&](std::size_t i) { shares[i] = shares[i].subspan(bins_[i].cut(shares[i])); });

@@ -69,7 +69,6 @@ class LightFilm {
   void count_lines(std::uint64_t lines);
   int columns_of(std::size_t tile) const;
   int rows_of(std::size_t tile) const;
-  // Calls use(place in sums() of a row's first number, numbers, place in Tile::spilled, row of tile).
   std::size_t place_in_layer(std::size_t axis, int column, int row, int channel) const;
   std::size_t place_in_tile(int column, int row, int channel) const;
   std::size_t place_in_film(std::size_t tile, int column, int row, int channel) const;

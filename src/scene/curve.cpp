@@ -58,13 +58,9 @@ Cubic<double> cubic_between(const Curve& curve, double from, double to) {
   return smooth_from(curve, i, (from - curve.times[i]) / h, (to - from) / h);
 }
 
-double lowest(const Curve& curve) {
-  return *std::min_element(curve.values.begin(), curve.values.end());
-}
+double lowest(const Curve& curve) { return *std::ranges::min_element(curve.values); }
 
-double highest(const Curve& curve) {
-  return *std::max_element(curve.values.begin(), curve.values.end());
-}
+double highest(const Curve& curve) { return *std::ranges::max_element(curve.values); }
 
 PathPoint point_at(const Path& path, double length) {
   const double whole = path.lengths.back();
