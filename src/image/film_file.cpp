@@ -53,30 +53,19 @@ std::uint64_t bytes_of_sums(const FilmFile& film) {
   return (static_cast<std::uint64_t>(std::bit_width(any)) + 7) / 8;
 }
 
-class Writer {
- public:
-  explicit Writer(std::uint64_t bytes) { bytes_.reserve(bytes); }
-  void text(std::string_view text) {
-    const auto bytes = std::as_bytes(std::span(text));
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-  }
-  void number(std::uint64_t value, std::uint64_t bytes = 8) {
-    for (std::uint64_t i = 0; i < bytes; ++i)
-      bytes_.push_back(static_cast<std::byte>(value >> (8 * i)));
-  }
-  std::vector<std::byte> finish() && {
-    number(Hash().add(bytes_).value());
-    return std::move(bytes_);
-  }
+void put(std::vector<std::byte>& out, std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  out.insert(out.end(), bytes.begin(), bytes.end());
+}
 
- private:
-  std::vector<std::byte> bytes_;
-};
+void put(std::vector<std::byte>& out, std::uint64_t value, std::uint64_t bytes = 8) {
+  for (std::uint64_t i = 0; i < bytes; ++i) out.push_back(static_cast<std::byte>(value >> (8 * i)));
+}
 
 // Needs   bytes enough for all that is read.
-class Reader {
- public:
-  explicit Reader(std::span<const std::byte> bytes) : rest_(bytes) {}
+struct Reader {
+  std::span<const std::byte> rest;
+
   std::string_view text(std::uint64_t size) {
     const auto bytes = take(size);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -89,13 +78,11 @@ class Reader {
     return value;
   }
 
- private:
   std::span<const std::byte> take(std::uint64_t size) {
-    const auto taken = rest_.first(size);
-    rest_ = rest_.subspan(size);
+    const auto taken = rest.first(size);
+    rest = rest.subspan(size);
     return taken;
   }
-  std::span<const std::byte> rest_;
 };
 
 Header read_header(Reader& reader) {
@@ -142,18 +129,19 @@ std::vector<std::byte> encode_film(const FilmFile& film) {
                       bytes_of_sums(film),
                       std::bit_cast<std::uint64_t>(film.round_unit),
                       {0, 0}};
-  Writer writer(file_bytes(header));
-  writer.text(kFilmSignature);
-  for (const std::uint64_t word : std::bit_cast<HeaderWords>(header)) writer.number(word);
-  writer.text(film.setting);
-  for (const std::uint64_t word : film.rounds.words()) writer.number(word);
-  for (const std::int64_t count : film.counts) writer.number(static_cast<std::uint64_t>(count));
+  std::vector<std::byte> out;
+  out.reserve(file_bytes(header));
+  put(out, kFilmSignature);
+  for (const std::uint64_t word : std::bit_cast<HeaderWords>(header)) put(out, word);
+  put(out, film.setting);
+  for (const std::uint64_t word : film.rounds.words()) put(out, word);
+  for (const std::int64_t count : film.counts) put(out, whole(count));
   for (const FilmFile::Scramble& one : film.scrambles) {
-    writer.number(one.lines);
-    for (const std::int64_t sum : one.sums)
-      writer.number(static_cast<std::uint64_t>(sum), header.sum_bytes);
+    put(out, one.lines);
+    for (const std::int64_t sum : one.sums) put(out, whole(sum), header.sum_bytes);
   }
-  return std::move(writer).finish();
+  put(out, Hash().add(out).value());
+  return out;
 }
 
 Result<FilmFile> decode_film(std::span<const std::byte> bytes, const std::string& name) {
@@ -164,13 +152,13 @@ Result<FilmFile> decode_film(std::span<const std::byte> bytes, const std::string
     return wrong("is not a film of this version", "flatray render SCENE -o x.film writes one");
   if (bytes.size() < kFilmSignature.size() + sizeof(Header))
     return wrong("film ends in its header");
-  Reader reader(bytes.subspan(kFilmSignature.size()));
+  Reader reader{bytes.subspan(kFilmSignature.size())};
   const Header header = read_header(reader);
   if (!in_range(header)) return wrong("film has a header that no film has");
   if (bytes.size() != file_bytes(header))
     return wrong(fmt::format("film has {} bytes, and its header tells of {}", bytes.size(),
                              file_bytes(header)));
-  Reader end(bytes.last(8));
+  Reader end{bytes.last(8)};
   if (Hash().add(bytes.first(bytes.size() - 8)).value() != end.number())
     return wrong("film is damaged: its checksum is another");
   FilmFile film{std::string(reader.text(header.setting)),
