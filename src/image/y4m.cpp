@@ -37,7 +37,7 @@ std::int32_t over_black(std::uint8_t value, std::uint8_t alpha) {
 
 }  // namespace
 
-std::vector<std::byte> y4m_planes(const Image& image) {
+std::vector<std::byte> y4m_picture(const Image& image, PngEncoder&, const RowsChanged&) {
   const std::size_t count = image.pixels.size() / static_cast<std::size_t>(image.channels);
   std::vector<std::byte> planes(3 * count);
   const std::uint8_t* pixel = image.pixels.data();
@@ -51,10 +51,6 @@ std::vector<std::byte> y4m_planes(const Image& image) {
     planes[2 * count + i] = std::byte{yuv.cr};
   }
   return planes;
-}
-
-std::vector<std::byte> y4m_picture(const Image& image, PngEncoder&, const RowsChanged&) {
-  return y4m_planes(image);
 }
 
 std::vector<std::byte> y4m_part(std::span<const std::byte> planes, std::size_t index,

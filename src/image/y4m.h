@@ -16,8 +16,7 @@ inline constexpr std::string_view kY4mSignature = "YUV4MPEG2 ";  ///< what its b
 /// each rounded to the nearest whole number. What is clear is laid over black.
 ///
 /// Error   none: whole numbers alone, so the same bytes on every machine.
-std::vector<std::byte> y4m_planes(const Image& image);
-/// PictureFormat::of_picture of what takes these planes.
+/// As PictureFormat::of_picture, of what takes these planes.
 std::vector<std::byte> y4m_picture(const Image& image, PngEncoder& png, const RowsChanged& changed);
 /// PictureFormat::part: the header of the stream before the first frame, the line FRAME before each.
 std::vector<std::byte> y4m_part(std::span<const std::byte> planes, std::size_t index,

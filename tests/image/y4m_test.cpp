@@ -21,8 +21,13 @@ Image of_one_pixel(std::vector<std::uint8_t> channels) {
   return image;
 }
 
+Bytes planes_of(const Image& image) {
+  PngEncoder unused(1);
+  return y4m_picture(image, unused, {});
+}
+
 Yuv yuv(std::vector<std::uint8_t> channels) {
-  const Bytes planes = y4m_planes(of_one_pixel(std::move(channels)));
+  const Bytes planes = planes_of(of_one_pixel(std::move(channels)));
   return {std::to_integer<int>(planes[0]), std::to_integer<int>(planes[1]),
           std::to_integer<int>(planes[2])};
 }
@@ -68,7 +73,7 @@ TEST(Y4m, AStreamIsReadBackFrameByFrame) {
   Bytes file;
   std::vector<Bytes> planes;
   for (std::size_t i = 0; i < sequence.frames; ++i) {
-    planes.push_back(y4m_planes(noise(5, 4, 3, i)));
+    planes.push_back(planes_of(noise(5, 4, 3, i)));
     const Bytes part = y4m_part(planes.back(), i, sequence);
     file.insert(file.end(), part.begin(), part.end());
   }
