@@ -8,21 +8,6 @@ namespace {
 
 constexpr double kContentMargin = 0.05;  // of the content's size, on each side
 
-// Adds shapes to a box, each with the outer half of its stroke.
-class ContentBox {
- public:
-  void add(const Shape& shape, const Pose& place, double stroke) {
-    const Bounds box = shape_bounds(shape, place);
-    const Vec2 reach(stroke / 2, stroke / 2);
-    if (!box.empty()) all_.add(Bounds{box.low - reach, box.high + reach});
-  }
-  void add(const Vec2& point) { all_.add(point); }
-  const Bounds& bounds() const { return all_; }
-
- private:
-  Bounds all_;
-};
-
 double world_width(const std::optional<Stroke>& stroke) {
   return stroke && !stroke->in_pixels ? stroke->scale * stroke->width : 0;
 }
@@ -84,22 +69,27 @@ Bounds framed(const Timeline& timeline, double time) {
 }  // namespace
 
 Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entities) {
-  ContentBox box;
+  Bounds all;
+  // A shape with the outer half of its stroke.
+  const auto add = [&](const Shape& shape, const Pose& place, double stroke) {
+    const Bounds box = shape_bounds(shape, place);
+    const Vec2 reach(stroke / 2, stroke / 2);
+    if (!box.empty()) all.add(Bounds{box.low - reach, box.high + reach});
+  };
   for (std::size_t i = 0; i < entities.size(); ++i) {
     const EntityState& entity = entities[i];
     const double stroke = std::max(world_width(entity.stroke),
                                    entity.scale * world_width(scene.entities[i].bounding_box));
-    box.add(shape_of(scene, entity), pose(entity.at, entity.angle, entity.scale), stroke);
+    add(shape_of(scene, entity), pose(entity.at, entity.angle, entity.scale), stroke);
   }
   for (const Chamber& chamber : scene.chambers) {
-    box.add(scene.shapes[chamber.shape], {Vec2(0, 0)}, world_width(chamber.stroke));
+    add(scene.shapes[chamber.shape], {Vec2(0, 0)}, world_width(chamber.stroke));
     for (const Chamber::Pillar& pillar : chamber.pillars)
-      box.add(scene.shapes[pillar.shape], pose(pillar.at, pillar.angle),
-              world_width(pillar.stroke));
+      add(scene.shapes[pillar.shape], pose(pillar.at, pillar.angle), world_width(pillar.stroke));
   }
-  for (const RayState& ray : ray_states(scene, 0)) box.add(ray.start.origin);
-  for (const Lamp& lamp : scene.lamps) box.add(lamp.at);
-  return box.bounds();
+  for (const RayState& ray : ray_states(scene, 0)) all.add(ray.start.origin);
+  for (const Lamp& lamp : scene.lamps) all.add(lamp.at);
+  return all;
 }
 
 Bounds camera_window(const Timeline& timeline, double time, const Vec2& followed) {

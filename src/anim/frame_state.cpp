@@ -54,13 +54,10 @@ EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned
   if (state.stroke)
     state.stroke->width =
         plus(timeline.scene(), state.stroke->width, state.stroke->width_curve, time);
-  const std::optional<std::uint32_t> group = timeline.scene().entities[index].group;
-  if (group) {
-    state.at = held(groups[*group].pose(state.at));
-    state.angle += groups[*group].angle;
-    state.scale = groups[*group].pose.scale;
-    if (state.stroke) state.stroke->scale = state.scale;
-  }
+  const Placed there =
+      in_world(state.at, state.angle, timeline.scene().entities[index].group, groups);
+  state.at = there.at, state.angle = there.angle, state.scale = there.scale;
+  if (state.stroke) state.stroke->scale = state.scale;
   if (const std::span<const Stage> stages = timeline.stages(index); !stages.empty()) {
     state.at = held(place_at(stages, time));
     state.gone = stage_at(stages, time).gone;
@@ -102,12 +99,7 @@ Bounds window_at(const Timeline& timeline, unsigned frame) {
 
 }  // namespace
 
-std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame) {
-  return entity_states_between(timeline, frame, 0);
-}
-
-std::vector<EntityState> entity_states_between(const Timeline& timeline, unsigned frame,
-                                               double part) {
+std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame, double part) {
   const double time = (frame - 1.0 + part) / timeline.scene().fps;
   const std::vector<GroupPose> groups = group_poses(timeline.scene(), time);
   std::vector<EntityState> states;

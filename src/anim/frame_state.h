@@ -41,13 +41,10 @@ inline const Shape& shape_of(const Scene& scene, const EntityState& entity) {
 /// State at frame k in [1, last frame of the timeline].
 FrameState at(const Timeline& timeline, unsigned frame);
 
-/// Its entities alone, before the camera displaces anything.
-std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame);
-
-/// The same at a part in [0, 1) of the time from a frame to the next, with the looks of the frame.
-/// Needs   a timeline without responses; with a part above 0 not its last frame.
-std::vector<EntityState> entity_states_between(const Timeline& timeline, unsigned frame,
-                                               double part);
+/// Its entities alone, before the camera displaces anything; at a part in [0, 1) of the time from a
+/// frame to the next, with the looks of the frame.
+/// Needs   with a part above 0 a timeline without responses, and not its last frame.
+std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame, double part = 0);
 
 /// Kept where the scene's own coordinates must be, within kFarthest; so written that a NaN is, too.
 inline double held(double v) {

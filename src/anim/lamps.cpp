@@ -14,14 +14,9 @@ Pose lamp_pose(const Scene& scene, std::uint32_t index, const FrameState& state,
                std::span<const GroupPose> groups) {
   const Lamp& lamp = scene.lamps[index];
   const Placed now = placed(scene, lamp.at, lamp.angle, lamp.motion, state.time);
-  Vec2 at = held(now.at + (lamp.markov ? state.lamps[index].moved : lamp.velocity * state.time));
-  double angle = now.angle + lamp.angular_velocity * state.time, scale = 1;
-  if (lamp.group) {
-    const GroupPose& group = groups[*lamp.group];
-    at = held(group.pose(at));
-    angle += group.angle;
-    scale = group.pose.scale;
-  }
+  const Vec2 moved = lamp.markov ? state.lamps[index].moved : Vec2(lamp.velocity * state.time);
+  const auto [at, angle, scale] = in_world(
+      held(now.at + moved), now.angle + lamp.angular_velocity * state.time, lamp.group, groups);
   return pose(at + state.displaced, angle, scale);
 }
 
@@ -57,7 +52,7 @@ std::vector<LampState> lamp_states(const Scene& scene, const FrameState& state) 
     const Lamp& lamp = scene.lamps[i];
     const LampLight& light = light_in(lamp, state, i);
     LightColour colour = lamp_colour(scene, light, state.time);
-    const double most = *std::max_element(colour.begin(), colour.end());
+    const double most = *std::ranges::max_element(colour);
     const double power = plus(scene, light.power, state.time) * most;
     auto emitter = emitter_at(scene, lamp, state.time);
     if (!(power > 0) || emitter == nullptr) continue;
@@ -74,11 +69,10 @@ bool moves(const Lamp& lamp) {
   return lamp.markov || lamp.motion.any() || !lamp.velocity.isZero(0) ||
          lamp.angular_velocity != 0 || lamp.power.curve || lamp.colour.curve != kNoEntry ||
          curved(lamp.wavelength) || curved(lamp.temperature) ||
-         std::any_of(lamp.source.arguments.begin(), lamp.source.arguments.end(),
-                     [&](const KeptArguments::Argument& argument) {
-                       return std::any_of(argument.numbers.begin(), argument.numbers.end(),
-                                          [](const Moving& number) { return number.curve; });
-                     });
+         std::ranges::any_of(lamp.source.arguments, [&](const KeptArguments::Argument& argument) {
+           return std::ranges::any_of(
+               argument.numbers, [](const Moving& number) { return number.curve.has_value(); });
+         });
 }
 
 }  // namespace flatray

@@ -46,6 +46,13 @@ Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& mo
   return now;
 }
 
+Placed in_world(const Vec2& at, double angle, std::optional<std::uint32_t> group,
+                std::span<const GroupPose> groups) {
+  if (!group) return {at, angle};
+  const GroupPose& outer = groups[*group];
+  return {held(outer.pose(at)), angle + outer.angle, outer.pose.scale};
+}
+
 std::vector<GroupPose> group_poses(const Scene& scene, double time) {
   std::vector<GroupPose> poses;
   poses.reserve(scene.groups.size());

@@ -14,8 +14,13 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time);
 struct Placed {
   Vec2 at;
   double angle;
+  double scale = 1;  ///< of the groups it stands in
 };
 Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& motion, double time);
+
+/// The same in the world, of what stands at `at` in a group, or in none.
+Placed in_world(const Vec2& at, double angle, std::optional<std::uint32_t> group,
+                std::span<const GroupPose> groups);
 
 /// Why the frames of a scene differ, or "" when they are all one picture.
 std::string reason_to_move(const Scene& scene);

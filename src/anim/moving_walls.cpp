@@ -20,7 +20,7 @@ std::vector<double> knot_times(const Scene& scene, const Entity& entity) {
   add_times(scene, entity.motion, times);
   for (auto at = entity.group; at; at = scene.groups[*at].group)
     add_times(scene, scene.groups[*at].motion, times);
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
@@ -75,8 +75,7 @@ double gone_from(std::span<const Stage> stages) {
 
 bool stays(const std::vector<Leg>& legs) {
   return legs.back().velocity.isZero(0) &&
-         std::all_of(legs.begin(), legs.end(),
-                     [&](const Leg& leg) { return leg.from == legs.front().from; });
+         std::ranges::all_of(legs, [&](const Leg& leg) { return leg.from == legs.front().from; });
 }
 
 }  // namespace

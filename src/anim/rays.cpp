@@ -30,15 +30,9 @@ RayState state_of(const Scene& scene, std::uint32_t number, const Vec2& directio
   const RayPath& ray = scene.rays[number];
   const Placed now = placed(scene, ray.at, ray.angle, ray.motion, time);
   const Ray own = in_fan(scene, ray, direction, time);
-  Vec2 at = held(now.at + ray.velocity * time);
-  double angle = now.angle + ray.angular_velocity * time, scale = 1;
-  at = held(pose(at, angle)(own.origin));
-  if (ray.group) {
-    const GroupPose& group = groups[*ray.group];
-    at = held(group.pose(at));
-    angle += group.angle;
-    scale = group.pose.scale;
-  }
+  const double turned = now.angle + ray.angular_velocity * time;
+  const Vec2 start = pose(held(now.at + ray.velocity * time), turned)(own.origin);
+  const auto [at, angle, scale] = in_world(held(start), turned, ray.group, groups);
   Stroke stroke = ray.stroke;
   stroke.width = plus(scene, stroke.width, stroke.width_curve, time);
   stroke.scale = scale;

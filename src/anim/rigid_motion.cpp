@@ -137,7 +137,7 @@ std::vector<double> TrueMotion::knots(std::uint32_t entity, std::optional<std::u
   add_knots(scene, scene.entities[entity].motion, from, to, knots);
   for (const std::uint32_t group : groups_below(scene, entity, top))
     add_knots(scene, scene.groups[group].motion, from, to, knots);
-  std::sort(knots.begin(), knots.end());
+  std::ranges::sort(knots);
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
   return knots;
 }

@@ -1,6 +1,7 @@
 #include "anim/solids.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "geom/hit_interval.h"
 #include "geom/polygon.h"
@@ -8,8 +9,6 @@
 
 namespace flatray {
 namespace {
-
-constexpr double kPi = 0x1.921fb54442d18p+1;
 
 // Whether a point lies inside or on closed outlines: by the parity of what a ray from it meets, in a
 // direction in which it meets no end and no tangent.
@@ -20,7 +19,7 @@ bool is_within(const Surfaces& outline, const Vec2& point) {
     every.offer_all();
     const std::vector<NearestHit> hits = every.hits();
     if (!hits.empty() && hits.front().t == 0) return true;
-    const bool doubtful = std::any_of(hits.begin(), hits.end(), [](const NearestHit& hit) {
+    const bool doubtful = std::ranges::any_of(hits, [](const NearestHit& hit) {
       return hit.at_end || hit.root == Root::both || hit.kind == HitClass::along;
     });
     if (!doubtful) return hits.size() % 2 == 1;
@@ -42,12 +41,12 @@ double area_of(const ArcPath& path) {
 }  // namespace
 
 bool Solids::Solid::holds(const Vec2& point) const {
-  return std::any_of(pieces.begin(), pieces.end(),
-                     [&](const auto& piece) {
-                       return place_in_convex(point, piece) != StartPlace::outside;
-                     }) ||
-         std::any_of(
-             circles.begin(), circles.end(),
+  return std::ranges::any_of(pieces,
+                             [&](const auto& piece) {
+                               return place_in_convex(point, piece) != StartPlace::outside;
+                             }) ||
+         std::ranges::any_of(
+             circles,
              [&](const Circle& circle) { return curve_side(point, circle) != Sign::positive; }) ||
          is_within(outline.surfaces, point);
 }
@@ -55,7 +54,7 @@ bool Solids::Solid::holds(const Vec2& point) const {
 double Solids::Solid::area() const {
   double sum = 0;
   for (const std::vector<Vec2>& piece : pieces) sum += ring_area(piece);
-  for (const Circle& circle : circles) sum += kPi * circle.radius * circle.radius;
+  for (const Circle& circle : circles) sum += std::numbers::pi * circle.radius * circle.radius;
   for (const ArcPath& path : paths) sum += area_of(path);
   return sum;
 }
@@ -96,14 +95,13 @@ Solids::Solids(const Scene& scene, const FrameState& state) {
 }
 
 std::optional<SurfaceOwner> Solids::holder(const Vec2& point) const {
-  const auto found = std::find_if(obstacles_.begin(), obstacles_.end(),
-                                  [&](const Solid& solid) { return solid.holds(point); });
+  const auto found =
+      std::ranges::find_if(obstacles_, [&](const Solid& solid) { return solid.holds(point); });
   return found == obstacles_.end() ? std::nullopt : std::optional(found->owner);
 }
 
 bool Solids::in_chamber(const Vec2& point) const {
-  return chambers_.empty() ||
-         std::any_of(chambers_.begin(), chambers_.end(), [&](const Solid& solid) {
+  return chambers_.empty() || std::ranges::any_of(chambers_, [&](const Solid& solid) {
            const bool lines = solid.pieces.empty() && solid.circles.empty() && solid.paths.empty();
            return lines || solid.holds(point);
          });

@@ -24,62 +24,41 @@ struct Timeline::Walker {
 namespace {
 
 // Its way through its chain, a frame at a time.
-class Walk {
- public:
-  /// From `frames` after the first on, where it was at `then`.
-  Walk(const Scene& scene, std::uint64_t seed, const Timeline::Walker& walker, std::uint64_t frames,
-       const Timeline::MarkovFrame& then)
-      : walker_(walker),
-        use_(walker.use),
-        chain_(scene.chains[use_.chain]),
-        fps_(scene.fps),
-        seed_(seed),
-        frames_(frames),
-        now_(then) {
-    if (frames == 0) take_hit();
-  }
-
-  const Timeline::MarkovFrame& now() const { return now_; }
+struct Walk {
+  const Scene& scene;
+  const std::uint64_t seed;
+  const Timeline::Walker& walker;
+  std::uint64_t frames;  // since the first
+  Timeline::MarkovFrame now;
 
   void advance() {
-    now_.moved += velocity() / fps_;
-    ++frames_;
-    const StateId before = now_.state;
-    if (frames_ % chain_.hold == 0) draw();
-    now_.sub_state = now_.state == before ? next_sub_state() : 0;
+    const MarkovChain& chain = scene.chains[walker.use.chain];
+    now.moved += velocity() / scene.fps;
+    ++frames;
+    const StateId before = now.state;
+    if (frames % chain.hold == 0)
+      now.state = step(chain, now.state,
+                       random_bits(seed, Stream::markov, frames / chain.hold - 1, walker.draws));
+    now.sub_state = now.state == before ? next_sub_state() : 0;
     take_hit();
   }
-
- private:
   // Of the state it is in: its sub-states, if it has any.
-  std::size_t look_count() const {
-    return now_.state < use_.looks.size() ? use_.looks[now_.state].size() : 0;
+  std::span<const Look> looks() const {
+    const auto& all = walker.use.looks;
+    return now.state < all.size() ? std::span(all[now.state]) : std::span<const Look>();
   }
   Vec2 velocity() const {
-    if (look_count() == 0) return walker_.velocity;
-    return use_.looks[now_.state][now_.sub_state].velocity.value_or(walker_.velocity);
+    if (looks().empty()) return walker.velocity;
+    return looks()[now.sub_state].velocity.value_or(walker.velocity);
   }
   std::uint32_t next_sub_state() const {
-    return now_.sub_state + 1 < look_count() ? now_.sub_state + 1 : 0;
+    return now.sub_state + 1 < looks().size() ? now.sub_state + 1 : 0;
   }
   void take_hit() {
-    if (!std::binary_search(walker_.hits.begin(), walker_.hits.end(), frames_)) return;
-    now_.state = *use_.hit;
-    now_.sub_state = 0;
+    if (!std::ranges::binary_search(walker.hits, frames)) return;
+    now.state = *walker.use.hit;
+    now.sub_state = 0;
   }
-  void draw() {
-    const std::uint64_t steps_made = frames_ / chain_.hold - 1;
-    now_.state =
-        step(chain_, now_.state, random_bits(seed_, Stream::markov, steps_made, walker_.draws));
-  }
-
-  const Timeline::Walker walker_;
-  const MarkovUse& use_;
-  const MarkovChain& chain_;
-  double fps_;
-  std::uint64_t seed_;
-  std::uint64_t frames_;  ///< since the first
-  Timeline::MarkovFrame now_;
 };
 
 // Frames 1, 1 + every, 1 + 2 every...
@@ -88,11 +67,12 @@ std::vector<Timeline::MarkovFrame> replay(const Scene& scene, std::uint64_t seed
                                           unsigned every) {
   std::vector<Timeline::MarkovFrame> kept;
   kept.reserve((last_frame - 1) / every + 1);
-  Walk walk(scene, seed, walker, 0, {walker.use.start, 0, {0, 0}});
-  kept.push_back(walk.now());
+  Walk walk{scene, seed, walker, 0, {walker.use.start, 0, {0, 0}}};
+  walk.take_hit();
+  kept.push_back(walk.now);
   for (unsigned frame = 2; frame <= last_frame; ++frame) {
     walk.advance();
-    if ((frame - 1) % every == 0) kept.push_back(walk.now());
+    if ((frame - 1) % every == 0) kept.push_back(walk.now);
   }
   return kept;
 }
@@ -100,8 +80,8 @@ std::vector<Timeline::MarkovFrame> replay(const Scene& scene, std::uint64_t seed
 // So that no more than kMostKept are kept.
 unsigned frames_between(const Scene& scene, unsigned last_frame) {
   const auto has_chain = [](const auto& thing) { return thing.markov.has_value(); };
-  const auto walks = std::count_if(scene.entities.begin(), scene.entities.end(), has_chain) +
-                     std::count_if(scene.lamps.begin(), scene.lamps.end(), has_chain);
+  const auto walks = std::ranges::count_if(scene.entities, has_chain) +
+                     std::ranges::count_if(scene.lamps, has_chain);
   const std::uint64_t frames = static_cast<std::uint64_t>(walks) * last_frame;
   const std::uint64_t every = (frames + Timeline::kMostKept - 1) / Timeline::kMostKept;
   return static_cast<unsigned>(
@@ -166,9 +146,9 @@ Timeline::MarkovFrame Timeline::frame_of(const Walker& walker, std::span<const M
   FLATRAY_CHECK(frame >= 1 && frame <= last_frame_);
   const unsigned before = (frame - 1) / every_;
   if (before * every_ == frame - 1) return kept[before];
-  Walk walk(*scene_, seed_, walker, std::uint64_t{before} * every_, kept[before]);
+  Walk walk{*scene_, seed_, walker, std::uint64_t{before} * every_, kept[before]};
   for (unsigned at = before * every_; at < frame - 1; ++at) walk.advance();
-  return walk.now();
+  return walk.now;
 }
 
 }  // namespace flatray

@@ -70,7 +70,7 @@ TEST(TrueMotion, IsWhatFramesInBetweenShow) {
       EXPECT_LT(motion.doubt, 1e-11);  // arms of some 10, in four groups
       for (const double t : {0.125, 0.5, 0.8}) {
         const double part = (from + t * (to - from) - begin) * scene.fps;
-        const EntityState state = entity_states_between(timeline, frame, part)[0];
+        const EntityState state = entity_states(timeline, frame, part)[0];
         EXPECT_LE((place_of(motion, t) - state.at).norm(), std::min(motion.doubt, 1e-12));
         EXPECT_NEAR(motion.angle(t), state.angle, 1e-12);
         const Bounds box = box_around(motion);

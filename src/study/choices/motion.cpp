@@ -25,7 +25,7 @@ std::set<PairTruth::Pair> sampled(const PairScene& motion, int samples) {
   for (unsigned frame = 1; frame <= motion.frames(); ++frame)
     for (int k = 0; k < (frame == motion.frames() ? 1 : samples); ++k)
       look(motion.timeline.scene(),
-           entity_states_between(motion.timeline, frame, static_cast<double>(k) / samples), found);
+           entity_states(motion.timeline, frame, static_cast<double>(k) / samples), found);
   return found;
 }
 
