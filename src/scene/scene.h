@@ -26,14 +26,15 @@ inline constexpr double kFarthest = 1e300;
 /// Convex pieces lie one after another in `vertices`, counter-clockwise, area > 0. Edges two pieces share
 /// (same two doubles, opposite directions) are inside the shape; `edges` keeps the input's numbers.
 struct Shape {
-  std::vector<Vec2> vertices;
+  std::vector<Vec2> vertices{};
   std::vector<std::uint32_t> begin{0};  ///< piece i is vertices [begin[i], begin[i + 1])
-  std::vector<std::int32_t> edges;  ///< input edge from vertex k to the next of its piece; -1 a cut
-  std::vector<Circle> circles;
-  std::vector<Segment> segments;
-  std::vector<std::vector<Vec2>> crossing_rings;  ///< drawn by even-odd, never traced
-  std::vector<ArcPath> arc_paths;                 ///< closed ones do not cross themselves
-  std::vector<Bezier> beziers;                    ///< lines, as segments are
+  /// Input edge from vertex k to the next of its piece; -1: a cut.
+  std::vector<std::int32_t> edges{};
+  std::vector<Circle> circles{};
+  std::vector<Segment> segments{};
+  std::vector<std::vector<Vec2>> crossing_rings{};  ///< drawn by even-odd, never traced
+  std::vector<ArcPath> arc_paths{};                 ///< closed ones do not cross themselves
+  std::vector<Bezier> beziers{};                    ///< lines, as segments are
   /// Index into Scene::changing_shapes; this shape is then what that one is at one of its times.
   std::uint32_t changes = kNoEntry;
 

@@ -7,7 +7,7 @@
 
 namespace flatray {
 
-Vec2 unit_at_degrees(double degrees) { return corners({{0, 0}, 1, degrees}, {1}).front(); }
+Vec2 unit_at_degrees(double degrees) { return corners({0, 0}, 1, degrees, {1}).front(); }
 
 // The half-diameters are turned by `from`, so that the arc begins at t = 0.
 Result<EllipseArc> circular_arc(Args& args, const Vec2& centre, double radius) {

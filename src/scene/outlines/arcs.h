@@ -9,10 +9,6 @@ Vec2 unit_at_degrees(double degrees);
 /// Reads `from` and `to`, degrees: the arc that runs counter-clockwise between them.
 Result<EllipseArc> circular_arc(Args& args, const Vec2& centre, double radius);
 
-inline Shape shape_of(ArcPath path) {
-  Shape shape;
-  shape.arc_paths.push_back(std::move(path));
-  return shape;
-}
+inline Shape shape_of(ArcPath path) { return {.arc_paths = {std::move(path)}}; }
 
 }  // namespace flatray

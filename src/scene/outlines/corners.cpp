@@ -29,14 +29,15 @@ Vec2 unit_at(int quarters, double degrees) {
 
 }  // namespace
 
-std::vector<Vec2> corners(const Corners& ring, std::initializer_list<double> radii) {
+std::vector<Vec2> corners(const Vec2& centre, int count, double degrees,
+                          std::initializer_list<double> radii) {
   const std::span<const double> distances(radii.begin(), radii.size());
   std::vector<Vec2> points;
-  for (int i = 0; i < ring.count; ++i) {
-    const int quarters = 4 * i / ring.count, rest = 4 * i % ring.count;
-    const double degrees = ring.degrees + 90.0 * rest / ring.count;
+  for (int i = 0; i < count; ++i) {
+    const int quarters = 4 * i / count, rest = 4 * i % count;
+    const double from_quarter = degrees + 90.0 * rest / count;
     const double radius = distances[static_cast<std::size_t>(i) % distances.size()];
-    points.push_back(ring.centre + radius * unit_at(quarters, degrees));
+    points.push_back(centre + radius * unit_at(quarters, from_quarter));
   }
   return points;
 }

@@ -11,11 +11,7 @@ namespace flatray {
 /// Gives   corners at multiples of 90 degrees exactly on the axes through the centre, and those of
 ///         opposite directions at opposite offsets.
 /// Error   offsets within 2 ulp of the radius.
-struct Corners {
-  Vec2 centre;
-  int count;
-  double degrees;
-};
-std::vector<Vec2> corners(const Corners& ring, std::initializer_list<double> radii);
+std::vector<Vec2> corners(const Vec2& centre, int count, double degrees,
+                          std::initializer_list<double> radii);
 
 }  // namespace flatray

@@ -14,11 +14,7 @@ namespace {
 constexpr std::size_t kCornerBytes = 16, kMostBytesACharacter = 64 * 40;
 constexpr int kBaseline = 7;  // below the top of a line, y pointing down
 
-struct Corner {
-  int x, y;
-};
-
-Corner corner(const char* bytes) {
+FontPixel corner(const char* bytes) {
   float xy[2];
   std::memcpy(xy, bytes, sizeof xy);
   return {static_cast<int>(xy[0]), static_cast<int>(xy[1])};
@@ -34,7 +30,7 @@ FontLine font_line(std::string_view text) {
   FontLine result{{}, stb_easy_font_width(line.data())};
   for (int i = 0; i < rectangles; ++i) {
     const char* first = corners.data() + static_cast<std::size_t>(i) * 4 * kCornerBytes;
-    const Corner low = corner(first), high = corner(first + 2 * kCornerBytes);
+    const FontPixel low = corner(first), high = corner(first + 2 * kCornerBytes);
     for (int y = low.y; y < high.y; ++y)
       for (int x = low.x; x < high.x; ++x) result.pixels.push_back({x, kBaseline - 1 - y});
   }

@@ -80,13 +80,17 @@ void add_triangle(Shape& shape, std::span<const Vec2, 3> corners, bool clockwise
     shape.edges.push_back(first_edge + edge);
 }
 
-void add_flat(Shape& shape, std::span<const Vec2> points) {
-  if (points.empty()) return;
+Shape ring_shape(std::span<const Vec2> ring) {
+  Shape shape;
+  add_ring(shape, ring);
+  return shape;
+}
+
+Shape flat_shape(std::span<const Vec2> points) {
+  if (points.empty()) return {};
   const auto [low, high] = std::minmax_element(points.begin(), points.end(), is_before);
-  if (*low == *high)
-    shape.circles.push_back({*low, 0});
-  else
-    shape.segments.push_back({*low, *high});
+  if (*low == *high) return {.circles = {{*low, 0}}};
+  return {.segments = {{*low, *high}}};
 }
 
 }  // namespace flatray

@@ -26,7 +26,10 @@ void add_ring(Shape& shape, std::span<const Vec2> ring, std::int32_t first_edge 
 void add_triangle(Shape& shape, std::span<const Vec2, 3> corners, bool clockwise,
                   std::int32_t first_edge);
 
-/// Adds flat points as what they are: the segment they span, or a circle of radius 0.
-void add_flat(Shape& shape, std::span<const Vec2> points);
+/// The shape of such a ring alone.
+Shape ring_shape(std::span<const Vec2> ring);
+
+/// Flat points as what they are: the segment they span, or a circle of radius 0.
+Shape flat_shape(std::span<const Vec2> points);
 
 }  // namespace flatray

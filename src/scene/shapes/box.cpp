@@ -12,11 +12,9 @@ Result<Shape> build(Args& args) {
   args.vanish(low.x() == high.x() || low.y() == high.y());
   if (!(low.x() < high.x() && low.y() < high.y()))
     return fail(args.where, "box has no area", "min must lie below and left of max");
-  Shape shape;
-  shape.vertices = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-  shape.begin = {0, 4};
-  shape.edges = {0, 1, 2, 3};
-  return shape;
+  return Shape{.vertices = {low, {high.x(), low.y()}, high, {low.x(), high.y()}},
+               .begin = {0, 4},
+               .edges = {0, 1, 2, 3}};
 }
 
 }  // namespace

@@ -13,11 +13,7 @@ constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
 Result<Shape> build(Args& args) {
   const Vec2 from = args.point("from"), to = args.point("to");
   const double radius = args.size("radius");
-  if (from == to) {
-    Shape disc;
-    disc.circles.push_back({from, radius});
-    return disc;
-  }
+  if (from == to) return Shape{.circles = {{from, radius}}};
   const Vec2 way = 0.5 * to - 0.5 * from;  // may be longer than its square has room for
   const Vec2 short_way = way / way.cwiseAbs().maxCoeff();
   const Vec2 ahead = radius * (short_way / std::sqrt(short_way.squaredNorm()));

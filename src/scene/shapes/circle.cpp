@@ -15,9 +15,7 @@ Result<Shape> build(Args& args) {
     return fail(args.place("radius"),
                 fmt::format("circle has a radius of {}", number_text(circle.radius)),
                 "it must be at least 0; 0 is a point");
-  Shape shape;
-  shape.circles.push_back(circle);
-  return shape;
+  return Shape{.circles = {circle}};
 }
 
 }  // namespace

@@ -19,8 +19,7 @@ constexpr KeyInfo kKeys[] = {{"vertex", "[x, y] or a curve", kRequired},
 Result<Shape> build(Args& args) {
   const Vec2 vertex = args.point("vertex"), focus = args.point("focus");
   const double half = 0.5 * args.size("width"), e = args.number("eccentricity", 1);
-  Shape shape;
-  if (args.gone()) return shape;
+  if (args.gone()) return Shape{};
   if (e < 0)
     return fail(
         args.place("eccentricity"), "the eccentricity is below 0",
@@ -42,8 +41,7 @@ Result<Shape> build(Args& args) {
         args.place("focus"), "the conic is too flat, or its focus is its vertex",
         "write a focus apart from the vertex, about as far from it as the width is large, and a "
         "small eccentricity");
-  shape.beziers.push_back(curve);
-  return shape;
+  return Shape{.beziers = {curve}};
 }
 
 }  // namespace

@@ -11,20 +11,17 @@ constexpr KeyInfo kKeys[] = {{"points", "[[x, y] or a curve, ...]", kRequired}};
 
 Result<Shape> build(Args& args) {
   const std::vector<Vec2> points = args.points("points");
-  Shape shape;
   if (is_flat(points)) {
-    add_flat(shape, points);
     args.warning(args.place("points"), "convex has no area",
                  "it is taken as the segment or point it is");
-    return shape;
+    return flat_shape(points);
   }
   if (const std::optional<std::size_t> bad = non_convex_vertex(points))
     return fail(args.place("points", *bad),
                 fmt::format("not convex at vertex {}, ({}, {})", *bad,
                             number_text(points[*bad].x()), number_text(points[*bad].y())),
                 "write polygon = { points = ... } for any simple outline");
-  add_ring(shape, points);
-  return shape;
+  return ring_shape(points);
 }
 
 }  // namespace

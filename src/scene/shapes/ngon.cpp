@@ -19,13 +19,11 @@ Result<Shape> build(Args& args) {
   const double radius = args.size("radius");
   const double angle = args.number("angle", 90);
   if (args.gone()) return Shape{};
-  const std::vector<Vec2> points = corners({centre, sides, angle}, {radius});
+  const std::vector<Vec2> points = corners(centre, sides, angle, {radius});
   if (non_convex_vertex(points) || clean_ring(points).vertices.size() != points.size())
     return fail(args.place("radius"), "the sides of the ngon are lost in rounding",
                 "write fewer sides, a larger radius, or a centre nearer to 0");
-  Shape shape;
-  add_ring(shape, points);
-  return shape;
+  return ring_shape(points);
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ constexpr KeyInfo kKeys[] = {{"vertex", "[x, y] or a curve", kRequired},
 Result<Shape> build(Args& args) {
   const Vec2 vertex = args.point("vertex"), focus = args.point("focus");
   const double half = 0.5 * args.size("width");
-  Shape shape;
-  if (args.gone()) return shape;
+  if (args.gone()) return Shape{};
   const Vec2 axis = focus - vertex;
   const double length = axis.stableNorm();
   const Vec2 across = half / length * Vec2(-axis.y(), axis.x());
@@ -24,8 +23,7 @@ Result<Shape> build(Args& args) {
   if (!is_finite || is_on_one_line(curve))
     return fail(args.place("focus"), "the parabola is too flat, or its focus is its vertex",
                 "write a focus apart from the vertex, about as far from it as the width is large");
-  shape.beziers.push_back(curve);
-  return shape;
+  return Shape{.beziers = {curve}};
 }
 
 }  // namespace

@@ -14,12 +14,10 @@ constexpr Word<FillRule> kRules[] = {{"nonzero", FillRule::nonzero},
 Result<Shape> build(Args& args) {
   const std::vector<Vec2> points = args.points("points");
   const auto rule = args.word<FillRule>("fill_rule", FillRule::nonzero, kRules);
-  Shape shape;
   if (is_flat(points)) {
-    add_flat(shape, points);
     args.warning(args.place("points"), "polygon has no area",
                  "it is taken as the segment or point it is");
-    return shape;
+    return flat_shape(points);
   }
   if (const std::optional<CrossingEdges> crossing = crossing_edges(points)) {
     if (rule == FillRule::nonzero)
@@ -27,11 +25,9 @@ Result<Shape> build(Args& args) {
           args.place("points", crossing->first),
           fmt::format("edges {} and {} of the polygon cross", crossing->first, crossing->second),
           R"(part them, or say fill_rule = "even-odd" to have it drawn only)");
-    shape.crossing_rings.push_back(points);
-    return shape;
+    return Shape{.crossing_rings = {points}};
   }
-  add_ring(shape, points);
-  return shape;
+  return ring_shape(points);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ Result<Shape> build(Args& args) {
   Shape shape;
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     if (points[i] != points[i + 1]) shape.segments.push_back({points[i], points[i + 1]});
-  if (shape.segments.empty()) add_flat(shape, points);
+  if (shape.segments.empty()) return flat_shape(points);
   return shape;
 }
 

@@ -1,4 +1,3 @@
-#include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
 namespace flatray::segment_shape {
@@ -9,12 +8,8 @@ constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
 
 Result<Shape> build(Args& args) {
   const Segment segment{args.point("from"), args.point("to")};
-  Shape shape;
-  if (segment.a == segment.b)
-    add_flat(shape, std::vector{segment.a});
-  else
-    shape.segments.push_back(segment);
-  return shape;
+  if (segment.a == segment.b) return Shape{.circles = {{segment.a, 0}}};
+  return Shape{.segments = {segment}};
 }
 
 }  // namespace

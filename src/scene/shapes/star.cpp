@@ -19,13 +19,11 @@ Result<Shape> build(Args& args) {
   const double outer = args.size("outer"), inner = args.size("inner");
   const double angle = args.number("angle", 90);
   if (args.gone()) return Shape{};
-  const std::vector<Vec2> ring = corners({centre, 2 * points, angle}, {outer, inner});
+  const std::vector<Vec2> ring = corners(centre, 2 * points, angle, {outer, inner});
   if (is_flat(ring) || crossing_edges(ring))
     return fail(args.place("outer"), "the points of the star are lost in rounding",
                 "write fewer points, larger radii, or a centre nearer to 0");
-  Shape shape;
-  add_ring(shape, ring);
-  return shape;
+  return ring_shape(ring);
 }
 
 }  // namespace

@@ -24,9 +24,7 @@ Result<Shape> build(Args& args) {
   if (is_flat(ring) || crossing_edges(ring))
     return fail(args.place("size"), "the corners of the room are lost in rounding",
                 "write a larger size, or a place nearer to 0");
-  Shape shape;
-  add_ring(shape, ring);
-  return shape;
+  return ring_shape(ring);
 }
 
 }  // namespace

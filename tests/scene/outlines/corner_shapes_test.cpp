@@ -20,22 +20,22 @@ std::vector<HitInterval> clips(const Shape& shape, const Ray& ray) {
 }
 
 TEST(Corners, MultiplesOf90DegreesLieExactlyOnTheAxes) {
-  const std::vector<Vec2> at_45 = corners({{0, 0}, 4, 90}, {2});
+  const std::vector<Vec2> at_45 = corners({0, 0}, 4, 90, {2});
   EXPECT_EQ(at_45, (std::vector<Vec2>{{0, 2}, {-2, 0}, {0, -2}, {2, 0}}));
   for (const double angle : {-90.0, 270.0, 36000000270.0})
-    EXPECT_EQ(corners({{3, 1}, 8, angle}, {1})[0], Vec2(3, 0)) << angle;
+    EXPECT_EQ(corners({3, 1}, 8, angle, {1})[0], Vec2(3, 0)) << angle;
 }
 
 TEST(Corners, OppositeOnesAreOpposite) {
   for (const int count : {4, 6, 10, 14, 360}) {
-    const std::vector<Vec2> ring = corners({{0, 0}, count, 17.3}, {1.7});
+    const std::vector<Vec2> ring = corners({0, 0}, count, 17.3, {1.7});
     for (std::size_t i = 0; i < ring.size() / 2; ++i)
       EXPECT_EQ(ring[i], Vec2(-ring[i + ring.size() / 2])) << count;
   }
 }
 
 TEST(Corners, TheirDistanceIsTheRadiusWithin2Ulp) {
-  for (const Vec2& corner : corners({{0, 0}, 997, 1}, {1}))
+  for (const Vec2& corner : corners({0, 0}, 997, 1, {1}))
     EXPECT_NEAR(corner.squaredNorm(), 1, 4 * 0x1p-52);
 }
 
