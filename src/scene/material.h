@@ -34,6 +34,15 @@ Reflectance read_reflectance(Args& args, const char* key = "reflectance");
 std::unique_ptr<const Scatterer> mixture(const LightShares& shares,
                                          Material for_rays = Material::absorb);
 
+/// Builds what sends on its light in one way.
+template <double LightShares::*way, Material for_rays = Material::absorb>
+Result<std::unique_ptr<const Scatterer>> build_one_way(Args& args) {
+  const Reflectance light = read_reflectance(args);
+  LightShares shares{.tint = light.tint};
+  shares.*way = light.part;
+  return mixture(shares, for_rays);
+}
+
 /// The first thing of glass; nullptr: there is none.
 const Place* place_of_glass(const Scene& scene);
 
