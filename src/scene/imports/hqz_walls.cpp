@@ -37,55 +37,44 @@ bool on_one_line(const Wall& a, const Wall& b) {
          orientation(a.from, a.to, b.to) == Sign::zero;
 }
 
-// The parts of walls of one line that are not covered by earlier ones, by their major axis.
-class Line {
- public:
-  explicit Line(bool steep) : major_(steep ? 1 : 0) {}
-
-  struct Part {
-    Vec2 from, to;
-  };
-  // What is left of a wall; it covers later ones.
-  std::vector<Part> add(const Wall& wall) {
-    Part whole{wall.from, wall.to};
-    if (at(whole.from) > at(whole.to)) std::swap(whole.from, whole.to);
-    std::vector<Part> left{whole};
-    for (const Part& cover : covers_) {
-      std::vector<Part> next;
-      for (const Part& part : left) {
-        if (!(at(cover.from) < at(part.to) && at(part.from) < at(cover.to))) {
-          next.push_back(part);
-          continue;
-        }
-        if (at(part.from) < at(cover.from)) next.push_back({part.from, cover.from});
-        if (at(cover.to) < at(part.to)) next.push_back({cover.to, part.to});
-      }
-      left = std::move(next);
-    }
-    covers_.push_back(whole);
-    return left;
-  }
-
- private:
-  double at(const Vec2& point) const { return point[major_]; }
-
-  int major_;
-  std::vector<Part> covers_;
+struct Part {
+  Vec2 from, to;
 };
+
+// What earlier walls of one line leave of one, by their major axis.
+std::vector<Part> uncovered(const Part& whole, const std::vector<Part>& covers, int major) {
+  const auto before = [&](const Vec2& a, const Vec2& b) { return a[major] < b[major]; };
+  std::vector<Part> left{whole};
+  for (const Part& cover : covers) {
+    std::vector<Part> next;
+    for (const Part& part : left) {
+      if (!(before(cover.from, part.to) && before(part.from, cover.to))) {
+        next.push_back(part);
+        continue;
+      }
+      if (before(part.from, cover.from)) next.push_back({part.from, cover.from});
+      if (before(cover.to, part.to)) next.push_back({cover.to, part.to});
+    }
+    left = std::move(next);
+  }
+  return left;
+}
 
 void cut(const std::vector<Wall>& line, const std::vector<HqzObject>& objects,
          std::vector<std::vector<HqzObject>>& parts, Diagnostics& warnings) {
-  Line covered(line.front().steep);
+  const int major = line.front().steep ? 1 : 0;
+  std::vector<Part> covers;
   for (const Wall& wall : line) {
-    const std::vector<Line::Part> left = covered.add(wall);
-    if (left.size() == 1 && (left[0].from == wall.from || left[0].from == wall.to) &&
-        (left[0].to == wall.from || left[0].to == wall.to))
-      continue;
+    Part whole{wall.from, wall.to};
+    if (whole.from[major] > whole.to[major]) std::swap(whole.from, whole.to);
+    const std::vector<Part> left = uncovered(whole, covers, major);
+    covers.push_back(whole);
+    if (left.size() == 1 && left[0].from == whole.from && left[0].to == whole.to) continue;
     const HqzObject& object = objects[wall.object];
     warnings.push_back({object.where, "a part of this object lies on one before it",
                         "light meets the first alone there"});
     parts[wall.object].clear();
-    for (const Line::Part& part : left) {
+    for (const Part& part : left) {
       HqzObject piece = object;
       const auto fixed = [&](double v) { return HqzRange{v, v, object.where}; };
       piece.x = fixed(part.from.x()), piece.y = fixed(part.from.y());

@@ -56,42 +56,29 @@ Gap gap_of(const Edge& edge, const Hole& hole, std::uint32_t number) {
   return backward ? Gap{all - hole.to, all - hole.from, number} : Gap{hole.from, hole.to, number};
 }
 
-// Of one edge, between places on it; what follows begins at the doubles at which it ends.
-class Cut {
- public:
-  Cut(const Edge& edge, double begin, std::vector<WallPiece>& parts)
-      : edge_(edge), at_(begin), point_(edge.at(begin)), parts_(parts) {}
-
-  void go_to(double share, const Vec2& point, std::uint32_t hole) {
-    std::optional<EllipseArc> arc = edge_.wall.arc;
-    if (arc)
-      arc = EllipseArc{arc->centre, arc->u, arc->v, arc->from + at_ * arc->sweep,
-                       (share - at_) * arc->sweep};
-    if (point != point_ || hole != kNoEntry)
-      parts_.push_back({{point_, point, arc}, edge_.number, hole});
-    at_ = share;
-    point_ = point;
-  }
-
- private:
-  const Edge& edge_;
-  double at_;
-  Vec2 point_;
-  std::vector<WallPiece>& parts_;
-};
-
 void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPiece>& parts) {
   if (gaps.empty()) {
     parts.push_back({edge.wall, edge.number, kNoEntry});
     return;
   }
   const double begin = edge.is_round() ? gaps.front().from : 0;
-  Cut cut(edge, begin, parts);
+  double at = begin;
+  Vec2 from = edge.at(begin);
+  // Each part begins at the doubles at which the one before it ends.
+  const auto cut_to = [&](double share, const Vec2& to, std::uint32_t hole) {
+    std::optional<EllipseArc> arc = edge.wall.arc;
+    if (arc)
+      arc = EllipseArc{arc->centre, arc->u, arc->v, arc->from + at * arc->sweep,
+                       (share - at) * arc->sweep};
+    if (to != from || hole != kNoEntry) parts.push_back({{from, to, arc}, edge.number, hole});
+    at = share;
+    from = to;
+  };
   for (const Gap& gap : gaps) {
-    cut.go_to(gap.from, edge.at(gap.from), kNoEntry);
-    cut.go_to(gap.to, edge.at(gap.to), gap.hole);
+    cut_to(gap.from, edge.at(gap.from), kNoEntry);
+    cut_to(gap.to, edge.at(gap.to), gap.hole);
   }
-  cut.go_to(begin + 1, edge.is_round() ? edge.at(begin) : edge.wall.to, kNoEntry);
+  cut_to(begin + 1, edge.is_round() ? edge.at(begin) : edge.wall.to, kNoEntry);
 }
 
 // The runs of what holes leave, to be drawn as lines that go round corners.
@@ -123,39 +110,38 @@ std::vector<ArcPath> runs_of(const std::vector<WallPiece>& parts) {
   return runs;
 }
 
-class Fitting {
- public:
-  Fitting(const std::vector<Edge>& edges, const Chamber& chamber)
-      : edges_(edges), chamber_(chamber), gaps_(edges.size()) {}
+// The gaps of each edge, and what is wrong with the holes.
+struct Fitting {
+  const std::vector<Edge>& edges;
+  const Chamber& chamber;
+  std::vector<std::vector<Gap>> gaps = std::vector<std::vector<Gap>>(edges.size());
+  Diagnostics problems{};
 
-  Diagnostics problems;
-
-  std::vector<std::vector<Gap>> gaps() {
-    for (std::uint32_t i = 0; i < chamber_.holes.size(); ++i) add(i);
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      std::vector<Gap>& some = gaps_[k];
+  void fit() {
+    for (std::uint32_t i = 0; i < chamber.holes.size(); ++i) add(i);
+    for (std::vector<Gap>& some : gaps) {
       std::ranges::sort(some, {}, &Gap::from);
       for (std::size_t i = 0; i + 1 < some.size(); ++i) check_apart(some[i], some[i + 1], 0);
       if (some.size() > 1) check_apart(some.back(), some.front(), 1);
     }
-    return std::move(gaps_);
   }
-
- private:
   void add(std::uint32_t number) {
-    const Hole& hole = chamber_.holes[number];
-    std::size_t found = edges_.size();
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      if (std::max(edges_[k].number, 0) != hole.edge) continue;
-      if (found < edges_.size())
+    const Hole& hole = chamber.holes[number];
+    std::size_t found = edges.size();
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      if (std::max(edges[k].number, 0) != hole.edge) continue;
+      if (found < edges.size())
         return problem(hole, fmt::format("edge {} is in several parts", hole.edge),
                        "write the shape so that nothing touches this edge within");
       found = k;
     }
-    if (found == edges_.size())
+    if (found == edges.size()) {
+      std::int32_t last = 0;
+      for (const Edge& edge : edges) last = std::max(last, edge.number);
       return problem(hole, fmt::format("the walls have no edge {}", hole.edge),
-                     fmt::format("they are numbered from 0 to {}", last_number()));
-    const Edge& edge = edges_[found];
+                     fmt::format("they are numbered from 0 to {}", last));
+    }
+    const Edge& edge = edges[found];
     if (!(hole.to <= 1) && !edge.is_round())
       return problem(hole, "the hole reaches beyond its edge", "to is at most 1");
     if (!(hole.to - hole.from < 1) && edge.is_round())
@@ -163,35 +149,26 @@ class Fitting {
     const Gap gap = gap_of(edge, hole, number);
     if (edge.at(gap.from) == edge.at(gap.to))
       return problem(hole, "the ends of the hole are the same doubles", "make it larger");
-    gaps_[found].push_back(gap);
-  }
-  std::int32_t last_number() const {
-    std::int32_t last = 0;
-    for (const Edge& edge : edges_) last = std::max(last, edge.number);
-    return last;
+    gaps[found].push_back(gap);
   }
   void check_apart(const Gap& one, const Gap& next, double round) {
     if (one.to <= next.from + round) return;
-    problem(chamber_.holes[std::max(one.hole, next.hole)], "two holes of one wall overlap",
+    problem(chamber.holes[std::max(one.hole, next.hole)], "two holes of one wall overlap",
             "write them as one, or let one end where the other begins");
   }
   void problem(const Hole& hole, std::string message, std::string hint) {
     problems.push_back({hole.where, std::move(message), std::move(hint)});
   }
-
-  const std::vector<Edge>& edges_;
-  const Chamber& chamber_;
-  std::vector<std::vector<Gap>> gaps_;
 };
 
 }  // namespace
 
 Diagnostics cut_walls(const Shape& shape, Chamber& chamber) {
   const std::vector<Edge> edges = edges_of(shape);
-  Fitting fitting(edges, chamber);
-  const std::vector<std::vector<Gap>> gaps = fitting.gaps();
+  Fitting fitting{edges, chamber};
+  fitting.fit();
   if (!fitting.problems.empty()) return std::move(fitting.problems);
-  for (std::size_t k = 0; k < edges.size(); ++k) cut_edge(edges[k], gaps[k], chamber.parts);
+  for (std::size_t k = 0; k < edges.size(); ++k) cut_edge(edges[k], fitting.gaps[k], chamber.parts);
   chamber.kept.arc_paths = runs_of(chamber.parts);
   return {};
 }
