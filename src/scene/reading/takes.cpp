@@ -64,12 +64,11 @@ class Parser {
 
   std::optional<Takes> part(bool nested) {
     if (skip("\"")) return quoted();
+    const std::string_view before = rest_;
     if (skip("[[")) {
-      const std::string_view before = rest_;
       const std::string_view table = name();
       if (!table.empty() && skip("]]")) return Takes{Kind::tables, std::string(table)};
-      rest_ = before;
-      return list_of_lists();
+      rest_ = before;  // a list of lists
     }
     if (skip("[")) return list();
     if (skip("{ ")) return table();
@@ -102,26 +101,7 @@ class Parser {
                  ? std::optional(Takes{Kind::named, std::string(word)})
                  : std::nullopt;
     rest_ = before;
-    return items({});
-  }
-
-  // After "[[", which opens a list in a list.
-  std::optional<Takes> list_of_lists() {
-    std::optional<Takes> first = list();
-    if (!first) return std::nullopt;
-    std::vector<std::vector<Takes>> items_so_far;
-    items_so_far.push_back({std::move(*first)});
-    while (skip(" or ")) {
-      std::optional<Takes> other = part(true);
-      if (!other) return std::nullopt;
-      items_so_far.back().push_back(std::move(*other));
-    }
-    if (skip("]")) return Takes{Kind::list, {}, std::move(items_so_far)};
-    return skip(", ") ? items(std::move(items_so_far)) : std::nullopt;
-  }
-
-  std::optional<Takes> items(std::vector<std::vector<Takes>> so_far) {
-    Takes list{Kind::list, {}, std::move(so_far)};
+    Takes list{Kind::list};
     do {
       if (skip("...]")) {
         list.more = true;
