@@ -7,7 +7,6 @@
 #include "base/number_text.h"
 #include "base/utf8.h"
 #include "scene/reading/format.h"
-#include "scene/reading/toml_scan.h"
 
 namespace flatray::toml_format {
 namespace {
@@ -16,6 +15,57 @@ constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
 constexpr std::size_t kMaxValues = 4'000'000;
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+// What a TOML text would cost its parser, found without parsing it.
+struct TomlLoad {
+  std::size_t values = 0;                 // at least as many as it holds
+  std::optional<std::size_t> deep_key{};  // byte at which a key has more than kMaxKeyParts parts
+};
+constexpr std::size_t kMaxKeyParts = 64;
+
+// One past the string that begins at `begin`, of any of the four kinds; unclosed ones end with
+// their line or text.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const bool basic = quote == '"';
+  const bool long_form = text.substr(begin, 3) == std::string_view(basic ? "\"\"\"" : "'''");
+  std::size_t i = begin + (long_form ? 3 : 1);
+  for (; i < text.size(); ++i) {
+    if (basic && text[i] == '\\')
+      ++i;
+    else if (!long_form && (text[i] == quote || text[i] == '\n'))
+      return i + 1;
+    else if (long_form && text.substr(i, 3) == std::string_view(basic ? "\"\"\"" : "'''"))
+      break;
+  }
+  // Up to two quotes may stand before the three that close.
+  i = std::min(i + 3, text.size());
+  while (long_form && i < text.size() && text[i] == quote) ++i;
+  return i;
+}
+
+// Right for every text up to its first mistake of syntax, and a parser stops there. Strings and
+// comments are passed over.
+TomlLoad scan_toml(std::string_view text) {
+  TomlLoad load;
+  std::size_t parts = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      i = end_of_string(text, i);
+      continue;
+    }
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+      continue;
+    }
+    if (c == '.' && ++parts > kMaxKeyParts && !load.deep_key) load.deep_key = i;
+    if (c == '=' || c == ',' || c == '[' || c == '{') ++load.values;
+    if (c == '=' || c == ',' || c == '[' || c == '{' || c == '\n') parts = 1;
+    ++i;
+  }
+  return load;
+}
 
 // Bytes of toml++'s positions, which count code points. The last line asked for is kept, so that a
 // file of one long line costs no more than one of many.
