@@ -1,7 +1,6 @@
 #include "base/number_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 

@@ -39,6 +39,11 @@ std::string_view SourceText::line(int number) const {
   return std::string_view(text_).substr(begin, end - begin);
 }
 
+Place place_in(SourcePtr source, std::string_view part) {
+  const auto offset = static_cast<std::size_t>(part.data() - source->text().data());
+  return {std::move(source), offset, part.size()};
+}
+
 Place named_place(std::string name) {
   return {std::make_shared<const SourceText>(std::move(name), std::string{}), 0, 0};
 }

@@ -51,6 +51,9 @@ struct Place {
   explicit operator bool() const { return source != nullptr; }
 };
 
+/// The place of a part of the source's text.
+Place place_in(SourcePtr source, std::string_view part);
+
 /// A place that is only a name: "--size", "my/scene.toml".
 Place named_place(std::string name);
 

@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
+#include "base/number_text.h"
 #include "image/hdr.h"
 #include "image/srgb.h"
 
@@ -37,9 +37,8 @@ bool read_size(const std::string& line, std::uint64_t& width, std::uint64_t& hei
   const std::size_t x = line.find(" +X ");
   if (!line.starts_with("-Y ") || x == std::string::npos) return false;
   const auto number = [](std::string_view text, std::uint64_t& value) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc{} && end == text.data() + text.size() && value > 0 &&
-           value <= std::uint64_t{1} << 30;
+    value = parse_digits<std::uint64_t>(text).value_or(0);
+    return value > 0 && value <= std::uint64_t{1} << 30;
   };
   const std::string_view text = line;
   return number(text.substr(3, x - 3), height) && number(text.substr(x + 4), width);

@@ -78,11 +78,10 @@ struct ChainReader {
     const bool near = *value >= 0 && *value <= 1;
     Rational exact = decimal && near ? to_rational(*decimal) : Rational(*value);
     if (exact >= Rational(0) && exact <= Rational(1)) return exact;
-    in().problem(
-        field.value.where,
-        fmt::format("probability {} is {}", field.name, source_text(field.value).substr(0, 40)),
-        "it must lie between 0 and 1");
-    return std::nullopt;
+    return in().refuse(
+        {field.value.where,
+         fmt::format("probability {} is {}", field.name, source_text(field.value).substr(0, 40)),
+         "it must lie between 0 and 1"});
   }
 
   std::optional<ChainRow> row(const Member& member) {
@@ -107,10 +106,9 @@ struct ChainReader {
     const std::string near = step.key.size() > 1 ? nearest_word(step.key, chain.states) : "";
     std::string message = fmt::format("state '{}' has no row", step.key.substr(0, 64));
     if (!near.empty()) message += fmt::format(" (did you mean '{}'?)", near);
-    in().problem(
-        step.where, std::move(message),
-        fmt::format("if it ends there, write {0} = {{ {0} = 1 }}", step.key.substr(0, 64)));
-    return std::nullopt;
+    return in().refuse(
+        {step.where, std::move(message),
+         fmt::format("if it ends there, write {0} = {{ {0} = 1 }}", step.key.substr(0, 64))});
   }
 
   void check_sum(const Member& member, const ChainRow& steps) {
@@ -200,9 +198,8 @@ std::optional<StateId> find_state(Builder& builder, const MarkovChain& chain, co
                                   const std::string& name) {
   const auto found = std::ranges::find(chain.states, name);
   if (found != chain.states.end()) return static_cast<StateId>(found - chain.states.begin());
-  builder.in.problems.push_back(
+  return builder.in.refuse(
       unknown_word(where, "state of chain '" + chain.name + "':", name, chain.states));
-  return std::nullopt;
 }
 
 void read_chains(Builder& builder, const Field& field, Scene& scene) {

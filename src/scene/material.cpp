@@ -22,7 +22,7 @@ std::optional<ScattererId> build_scatterer(Builder& builder, const Field& field)
   Result<std::unique_ptr<const Scatterer>> made = kind->type->build(args);
   if (builder.in.problems.size() > problems) return std::nullopt;
   if (!made) {
-    for (Diagnostic& one : made.error()) builder.in.problems.push_back(std::move(one));
+    builder.in.add(std::move(made.error()));
     return std::nullopt;
   }
   builder.scene.scatterers.emplace_back(std::move(*made));
@@ -115,18 +115,15 @@ std::optional<ReadMaterial> read_material(Builder& builder, const Field& field,
       const auto material = builder.in.word<Material>(field, words);
       return material ? std::optional(ReadMaterial{*material}) : std::nullopt;
     }
-    if (std::ranges::any_of(material_types(), is_type)) {
-      builder.in.problem(field.value.where,
-                         fmt::format("{} '{}' has numbers of its own", field.name, text),
-                         fmt::format("write {{ {} = {{}} }}", text));
-      return std::nullopt;
-    }
+    if (std::ranges::any_of(material_types(), is_type))
+      return builder.in.refuse({field.value.where,
+                                fmt::format("{} '{}' has numbers of its own", field.name, text),
+                                fmt::format("write {{ {} = {{}} }}", text)});
     std::vector<std::string> known;
     for (const auto& [word, material] : words) known.emplace_back(word);
     for (const auto* type : material_types())
       if (std::ranges::find(known, type->name) == known.end()) known.emplace_back(type->name);
-    builder.in.problems.push_back(unknown_word(field.value.where, field.name, text, known));
-    return std::nullopt;
+    return builder.in.refuse(unknown_word(field.value.where, field.name, text, known));
   }
   const auto known = builder.fixed_scatterers.find(&field.value);
   const std::optional<ScattererId> scatterer = known != builder.fixed_scatterers.end()

@@ -32,7 +32,7 @@ std::optional<ShapeId> build_shape(Builder& builder, const Field& field) {
   if (builder.in.problems.size() > problems) return std::nullopt;
   args.check_lost_features();
   if (!shape) {
-    for (Diagnostic& problem : shape.error()) builder.in.problems.push_back(std::move(problem));
+    builder.in.add(std::move(shape.error()));
     return std::nullopt;
   }
   if (!take_corners(builder, corner_count(*shape), place_of_change(field.value, field.value.where)))

@@ -38,9 +38,7 @@ class HillReader {
   }
 
  private:
-  Place place(std::string_view part) const {
-    return {source_, static_cast<std::size_t>(part.data() - source_->text().data()), part.size()};
-  }
+  Place place(std::string_view part) const { return place_in(source_, part); }
   std::string_view next() {
     rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
     const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));

@@ -46,9 +46,7 @@ class ListReader {
   }
 
  private:
-  Place place(std::string_view part) const {
-    return {source_, static_cast<std::size_t>(part.data() - source_->text().data()), part.size()};
-  }
+  Place place(std::string_view part) const { return place_in(source_, part); }
 
   Result<void> read_line(std::string_view line) {
     line = trimmed(line.substr(0, line.find('#')));

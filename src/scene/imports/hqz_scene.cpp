@@ -58,6 +58,10 @@ class HqzReader {
   void problem(const Place& where, std::string message, std::string hint = {}) {
     problems_.push_back({where, std::move(message), std::move(hint)});
   }
+  std::nullopt_t refuse(const Place& where, std::string message, std::string hint = {}) {
+    problem(where, std::move(message), std::move(hint));
+    return std::nullopt;
+  }
   void warning(const Place& where, std::string message, std::string hint = {}) {
     warnings_.push_back({where, std::move(message), std::move(hint)});
   }
@@ -99,22 +103,17 @@ class HqzReader {
   }
 
   std::optional<double> number(const Value& value, const char* what, double low, double high) {
-    if (value.kind != Value::Kind::number) {
-      problem(value.where, fmt::format("{} is {}, not a number", what, kind_of(value)),
-              "write a number");
-      return std::nullopt;
-    }
+    if (value.kind != Value::Kind::number)
+      return refuse(value.where, fmt::format("{} is {}, not a number", what, kind_of(value)),
+                    "write a number");
     auto literal = parse_literal(source_text(value));
     if (value.text == "null") literal.emplace().value = 0;
-    if (!literal || !(std::abs(literal->value) <= kFarthest)) {
-      problem(value.where, fmt::format("{} is beyond 1e300", what),
-              "write a number between -1e300 and 1e300");
-      return std::nullopt;
-    }
+    if (!literal || !(std::abs(literal->value) <= kFarthest))
+      return refuse(value.where, fmt::format("{} is beyond 1e300", what),
+                    "write a number between -1e300 and 1e300");
     if (literal->value >= low && literal->value <= high) return literal->value;
-    problem(value.where, fmt::format("{} does not lie between {} and {}", what, low, high),
-            fmt::format("write a number from {} to {}", low, high));
-    return std::nullopt;
+    return refuse(value.where, fmt::format("{} does not lie between {} and {}", what, low, high),
+                  fmt::format("write a number from {} to {}", low, high));
   }
 
   std::optional<HqzRange> range(const Value& value, const char* what, double low = -kFarthestHqz,
@@ -123,10 +122,8 @@ class HqzReader {
       const auto one = number(value, what, low, high);
       return one ? std::optional(HqzRange{*one, *one, value.where}) : std::nullopt;
     }
-    if (value.items.size() != 2 || value.items[1].kind != Value::Kind::number) {
-      problem(value.where, fmt::format("{} is no number and no range", what), kRangeHint);
-      return std::nullopt;
-    }
+    if (value.items.size() != 2 || value.items[1].kind != Value::Kind::number)
+      return refuse(value.where, fmt::format("{} is no number and no range", what), kRangeHint);
     const auto first = number(value.items[0], what, low, high);
     const auto second = number(value.items[1], what, low, high);
     return first && second ? std::optional(HqzRange{*first, *second, value.where}) : std::nullopt;
@@ -184,10 +181,8 @@ class HqzReader {
     if (member == nullptr) return std::nullopt;
     const auto given = number(member->value, key, static_cast<double>(low), high);
     if (!given) return std::nullopt;
-    if (*given != std::floor(*given)) {
-      problem(member->value.where, fmt::format("{} is no whole number", key));
-      return std::nullopt;
-    }
+    if (*given != std::floor(*given))
+      return refuse(member->value.where, fmt::format("{} is no whole number", key));
     Value value = built_in_number(*given);
     if (member->value.text != "null") value = member->value;
     return value;

@@ -95,8 +95,7 @@ class ChunkReader {
     return static_cast<std::size_t>(word.data() - text_.data());
   }
   void problem(std::string_view word, std::string message, std::string hint) {
-    chunk_.problems.push_back(
-        {{source_, offset_of(word), word.size()}, std::move(message), std::move(hint)});
+    chunk_.problems.push_back({place_in(source_, word), std::move(message), std::move(hint)});
   }
 
   void read_record(std::string_view record) {

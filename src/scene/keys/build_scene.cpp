@@ -29,13 +29,7 @@ void refuse_include(Builder& builder, const Field& field, Scene&) {
                      "write a file that includes both");
 }
 
-void read_fps(Builder& builder, const Field& field, Scene& scene) {
-  const auto fps = builder.in.number(field);
-  if (!fps) return;
-  if (!(*fps > 0))
-    return builder.in.problem(field.value.where, "fps is not above 0", "write frames a second");
-  scene.fps = *fps;
-}
+constexpr NumberRule kFpsRule{&is_above_zero, "is not above 0", "write frames a second"};
 
 void read_seed(Builder& builder, const Field& field, Scene& scene) {
   const auto seed = builder.in.integer(field, 0, kMaxSeed);
@@ -49,7 +43,7 @@ constexpr Key<Scene> kSceneKeys[] = {
     {{"include", "[\"part.toml\", ...]", "[]"}, &refuse_include},
     {{"film", "{ size = [w, h], ... }", "{}"}, &read_film},
     {{"frames", "whole number", "1"}, &set_integer<&Scene::frames, 1, kLastFrame>},
-    {{"fps", "frames a second", "24"}, &read_fps},
+    {{"fps", "frames a second", "24"}, &set_number<&Scene::fps, kFpsRule>},
     {{"seed", "whole number", "0"}, &read_seed},
     {{"markov", "[markov.NAME]", "{}"}, &read_chains},
     {{"group", "[[group]]", "[]"}, &read_groups},
@@ -102,9 +96,9 @@ void check_version(Reader& in, const Value& scene) {
 
 std::vector<TableInfo> language_tables() {
   std::vector<TableInfo> all{{"scene", key_infos<Scene>(kSceneKeys)}};
-  for (auto* tables : {&film_tables, &group_tables, &entity_tables, &look_tables, &curve_tables,
-                       &motion_tables, &repeat_tables, &collision_tables, &chamber_tables,
-                       &ray_tables, &lamp_tables, &markov_tables})
+  for (auto* tables : {&film_tables, &group_tables, &entity_tables, &gradient_tables, &look_tables,
+                       &curve_tables, &motion_tables, &repeat_tables, &collision_tables,
+                       &chamber_tables, &ray_tables, &lamp_tables, &markov_tables})
     for (TableInfo& table : tables()) all.push_back(std::move(table));
   return all;
 }

@@ -74,7 +74,7 @@ void cut_walls_of(Builder& builder, Chamber& chamber) {
   if (chamber.material == Material::periodic)
     return builder.in.problem(first.where, "periodic walls have no holes",
                               "leave material = \"periodic\" out");
-  for (Diagnostic& one : cut_walls(shape, chamber)) builder.in.problems.push_back(std::move(one));
+  builder.in.add(cut_walls(shape, chamber));
 }
 
 void read_walls(Builder& builder, const Field& field, Chamber& chamber) {

@@ -36,52 +36,50 @@ bool may_fail_between_keys(const ChangingShape& changing, bool was_gone) {
          });
 }
 
+// What arguments count for where nothing comes of them.
+std::uint64_t corners_of(const ChangingShape& changing) {
+  std::uint64_t corners = 0;
+  for (const ChangingShape::Argument& argument : changing.arguments)
+    corners += corner_count(Shape{}) + argument.text.size();
+  return corners;
+}
+
 // Builds a shape at the times at which it could be wrong.
-class Trials {
- public:
-  Trials(Builder& builder, const ShapeType& type, const ChangingShape& changing, Args& args,
-         const Place& where)
-      : builder_(builder), type_(type), args_(args), where_(where) {
-    for (const ChangingShape::Argument& argument : changing.arguments)
-      reading_ += corner_count(Shape{}) + argument.text.size();
-  }
+struct Trials {
+  Builder& builder;
+  const ShapeType& type;
+  const ChangingShape& changing;
+  Args& args;
+  std::uint64_t corners_of_arguments;
+  bool was_gone = false;
+  Shape largest{};  // the one with most corners of all seen
 
   // Whether it can be built then, or is not there.
   bool at(double time) {
-    const std::size_t problems = builder_.in.problems.size();
-    args_.set_time(time);
-    Result<Shape> shape = type_.build(args_);
-    if (builder_.in.problems.size() > problems) return false;
-    was_gone_ |= args_.gone();
-    if (args_.gone()) return count(reading_);
+    const std::size_t problems = builder.in.problems.size();
+    args.set_time(time);
+    Result<Shape> shape = type.build(args);
+    if (builder.in.problems.size() > problems) return false;
+    was_gone |= args.gone();
+    if (args.gone()) return count(corners_of_arguments);
     if (!shape) {
       for (Diagnostic& one : shape.error()) {
         one.message += fmt::format(" at {} s", number_text(time));
-        builder_.in.problems.push_back(std::move(one));
+        builder.in.problems.push_back(std::move(one));
       }
       return false;
     }
-    return take(std::move(*shape));
-  }
-
-  bool was_gone() const { return was_gone_; }
-
-  // The one with most corners of all seen.
-  Shape largest() && { return std::move(largest_); }
-
- private:
-  bool take(Shape&& shape) {
-    const std::uint64_t corners = corner_count(shape);
-    if (corners > corner_count(largest_)) largest_ = std::move(shape);
+    const std::uint64_t corners = corner_count(*shape);
+    if (corners > corner_count(largest)) largest = std::move(*shape);
     return count(corners);
   }
 
   bool count(std::uint64_t corners) {
-    const std::uint64_t limit = builder_.limits.max_corners;
-    builder_.checked_corners += corners;
-    if (builder_.checked_corners <= limit) return true;
-    builder_.in.problem(
-        where_,
+    const std::uint64_t limit = builder.limits.max_corners;
+    builder.checked_corners += corners;
+    if (builder.checked_corners <= limit) return true;
+    builder.in.problem(
+        args.where,
         fmt::format(
             "shapes that change come to more than {} corners in the frames up to their last keys",
             limit),
@@ -90,26 +88,18 @@ class Trials {
     return false;
   }
 
-  Builder& builder_;
-  const ShapeType& type_;
-  Args& args_;
-  const Place& where_;
-  std::uint64_t reading_ = 0;  // what the arguments count for where nothing comes of them
-  bool was_gone_ = false;
-  Shape largest_;
-};
-
-bool try_all(const Scene& scene, const ChangingShape& changing, Trials& trials) {
-  const std::set<double> times = key_times(scene, changing);
-  if (!std::ranges::all_of(times, [&](double time) { return trials.at(time); })) return false;
-  if (!may_fail_between_keys(changing, trials.was_gone())) return true;
-  for (unsigned frame = 1; frame <= kLastFrame; ++frame) {  // any may be asked for
-    const double time = (frame - 1) / scene.fps;
-    if (time >= *times.rbegin()) return true;
-    if (time > *times.begin() && !trials.at(time)) return false;
+  bool at_all_times() {
+    const std::set<double> times = key_times(builder.scene, changing);
+    if (!std::ranges::all_of(times, [&](double time) { return at(time); })) return false;
+    if (!may_fail_between_keys(changing, was_gone)) return true;
+    for (unsigned frame = 1; frame <= kLastFrame; ++frame) {  // any may be asked for
+      const double time = (frame - 1) / builder.scene.fps;
+      if (time >= *times.rbegin()) return true;
+      if (time > *times.begin() && !at(time)) return false;
+    }
+    return true;
   }
-  return true;
-}
+};
 
 }  // namespace
 
@@ -121,9 +111,9 @@ std::optional<ShapeId> build_changing_shape(Builder& builder, const ShapeType& t
   (void)type.build(args);  // reads the arguments
   if (builder.in.problems.size() > problems || builder.full) return std::nullopt;
   Scene& scene = builder.scene;
-  Trials trials(builder, type, changing, args, arguments.value.where);
-  if (!try_all(scene, changing, trials)) return std::nullopt;
-  Shape shape = std::move(trials).largest();
+  Trials trials{builder, type, changing, args, corners_of(changing)};
+  if (!trials.at_all_times()) return std::nullopt;
+  Shape& shape = trials.largest;
   std::uint64_t corners = corner_count(shape);
   for (const auto& argument : changing.arguments) corners += argument.numbers.size();
   if (!take_corners(builder, corners, arguments.value.where)) return std::nullopt;

@@ -20,14 +20,10 @@ constexpr Key<Collisions> line_key(const char* name,
   return {{name, R"({ width = w, colour = "#rrggbb" } or "none")", "\"none\""}, read};
 }
 
-void read_shown(Builder& builder, const Field& field, Collisions& collisions) {
-  const auto seconds = builder.in.number(field);
-  if (!seconds) return;
-  if (!(*seconds > 0))
-    return builder.in.problem(field.value.where, field.name + " is not above 0",
-                              "write how many seconds it takes to fade");
-  collisions.shown = *seconds;
-}
+constexpr NumberRule kShownRule{&is_above_zero, "is not above 0",
+                                "write how many seconds it takes to fade"};
+constexpr NumberRule kMassRule{&is_above_zero, "is not above 0",
+                               "write a mass, or \"fixed\" for what nothing moves"};
 
 constexpr Key<Collisions> kCollisionKeys[] = {
     response_key<Collisions>("\"none\""),
@@ -36,7 +32,7 @@ constexpr Key<Collisions> kCollisionKeys[] = {
     line_key("normals", &set_line<&Collisions::normals>),
     line_key("ghosts", &set_line<&Collisions::ghosts>),
     line_key("time_bar", &set_line<&Collisions::time_bar>),
-    {{"shown", "seconds", "to the end"}, &read_shown},
+    {{"shown", "seconds", "to the end"}, &set_number<&Collisions::shown, kShownRule>},
     {{"layer", "whole number", "1"}, &set_integer<&Collisions::layer, -1000000, 1000000>},
 };
 
@@ -51,17 +47,11 @@ void read_collisions(Builder& builder, const Field& field, Scene& scene) {
 }
 
 void read_mass(Builder& builder, const Field& field, Entity& entity) {
-  if (field.value.kind == Value::Kind::string) {
-    constexpr Word<double> kWords[] = {{"fixed", kInfinity}};
-    if (const auto mass = builder.in.word<double>(field, kWords)) entity.mass = *mass;
-    return;
-  }
-  const auto mass = builder.in.number(field);
-  if (!mass) return;
-  if (!(*mass > 0))
-    return builder.in.problem(field.value.where, field.name + " is not above 0",
-                              "write a mass, or \"fixed\" for what nothing moves");
-  entity.mass = *mass;
+  static constexpr Word<double> kWords[] = {{"fixed", kInfinity}};
+  if (field.value.kind == Value::Kind::string)
+    set_word<&Entity::mass, kWords>(builder, field, entity);
+  else
+    set_number<&Entity::mass, kMassRule>(builder, field, entity);
 }
 
 void refuse_hindered(Builder& builder, const Entity& entity, const Value& table) {

@@ -17,8 +17,7 @@ std::optional<std::vector<std::uint32_t>> copies_of_group(Builder& builder, cons
     return found->second.empty() ? std::nullopt : std::optional(found->second);
   std::vector<std::string> known;
   for (const auto& [group, copies] : builder.groups) known.push_back(group);
-  builder.in.problems.push_back(unknown_word(field.value.where, "group", *name, known));
-  return std::nullopt;
+  return builder.in.refuse(unknown_word(field.value.where, "group", *name, known));
 }
 
 }  // namespace
@@ -41,11 +40,11 @@ std::optional<Copies> read_copies(Builder& builder, const Value& table, const Co
   const std::uint64_t limit = builder.limits.max_entities;
   if (copies.total <= limit && copies.total + what.before <= limit) return copies;
   const Member* cause = repeat != nullptr ? repeat : group;
-  builder.in.problem(cause == nullptr ? table.where : place_of_change(cause->value, cause->where),
-                     fmt::format("{} stands for {}, after {} before it", what.name,
-                                 count_text(copies.total), what.before),
-                     fmt::format("the limit is {}; --max-entities raises it", limit));
-  return std::nullopt;
+  return builder.in.refuse(
+      {cause == nullptr ? table.where : place_of_change(cause->value, cause->where),
+       fmt::format("{} stands for {}, after {} before it", what.name, count_text(copies.total),
+                   what.before),
+       fmt::format("the limit is {}; --max-entities raises it", limit)});
 }
 
 std::string copy_suffix(const Builder& builder, const Copies& copies, std::uint64_t number) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "base/check.h"
 #include "base/light.h"
 #include "scene/keys/corner_limit.h"
 #include "scene/keys/keys.h"
@@ -13,20 +12,13 @@ namespace {
 constexpr Word<Curve::Ease> kEases[] = {
     {"linear", Curve::Ease::linear}, {"smooth", Curve::Ease::smooth}, {"step", Curve::Ease::step}};
 
-// What the values of a curve are, by how many numbers.
-enum class Of : std::size_t { number = 1, point = 2, colour = 4 };
-
-const char* takes_of(Of what) {
-  switch (what) {
-    case Of::number:
-      return "[[t, v], ...]";
-    case Of::point:
-      return "[[t, [x, y]], ...]";
-    case Of::colour:
-      return R"([[t, "#rrggbb"], ...])";
-  }
-  unreachable();
-}
+// What the values of a curve are.
+struct CurveOf {
+  std::size_t numbers;  // of each
+  const char* takes;
+};
+constexpr CurveOf kNumbers{1, "[[t, v], ...]"}, kPoints{2, "[[t, [x, y]], ...]"},
+    kColours{4, R"([[t, "#rrggbb"], ...])"};
 
 // `{ keys = [[t, v], ...] }`.
 struct CurveWords {
@@ -50,7 +42,7 @@ bool too_steep(const Curve& curve, std::size_t i) {
 
 class CurveReader {
  public:
-  CurveReader(Builder& builder, const Field& field, Of what)
+  CurveReader(Builder& builder, const Field& field, const CurveOf& what)
       : builder_(builder), field_(field), what_(what) {}
 
   // One curve for each number of a value; nullopt where the text is wrong.
@@ -59,11 +51,11 @@ class CurveReader {
     CurveWords words;
     read_keys<CurveWords>(builder_, field_.value, "curve", kCurveKeys, words);
     if (words.keys == nullptr) return std::nullopt;
-    const Field keys{field_.name + ".keys", *words.keys, takes_of(what_)};
+    const Field keys{field_.name + ".keys", *words.keys, what_.takes};
     if (!builder_.in.is(keys, Value::Kind::array, "a list of keys")) return std::nullopt;
     if (keys.value.items.empty())
       builder_.in.problem(keys.value.where, keys.name + " is empty", "write at least one [t, v]");
-    curves_.assign(static_cast<std::size_t>(what_), {words.ease, {}, {}});
+    curves_.assign(what_.numbers, {words.ease, {}, {}});
     for (std::size_t i = 0; i < keys.value.items.size(); ++i) add(keys.item(i));
     if (builder_.in.problems.size() > problems) return std::nullopt;
     return std::move(curves_);
@@ -71,8 +63,7 @@ class CurveReader {
 
  private:
   void add(const Field& key) {
-    if (key.value.kind != Value::Kind::array || key.value.items.size() != 2)
-      return builder_.in.mismatch(key, "a time and a value");
+    if (!builder_.in.is_pair(key, "a time and a value")) return;
     const auto time = builder_.in.number(key.item(0));
     const std::optional<std::vector<double>> values = values_of(key.item(1));
     if (!time || !values) return;
@@ -85,11 +76,11 @@ class CurveReader {
 
   std::optional<std::vector<double>> values_of(const Field& field) {
     using Values = std::vector<double>;
-    if (what_ == Of::point) {
+    if (what_.numbers == kPoints.numbers) {
       const auto point = builder_.in.point(field);
       return point ? std::optional(Values{point->x(), point->y()}) : std::nullopt;
     }
-    if (what_ == Of::colour) {
+    if (what_.numbers == kColours.numbers) {
       const auto colour = builder_.in.colour(field);
       return colour ? std::optional(light_values(*colour)) : std::nullopt;
     }
@@ -125,12 +116,12 @@ class CurveReader {
 
   Builder& builder_;
   const Field& field_;
-  const Of what_;
+  const CurveOf& what_;
   std::vector<Curve> curves_;
 };
 
 // Number of the first of a value's curves. Those in which nothing is drawn are shared by copies.
-std::optional<CurveId> read_curves(Builder& builder, const Field& field, Of what,
+std::optional<CurveId> read_curves(Builder& builder, const Field& field, const CurveOf& what,
                                    double (*change)(double) = nullptr) {
   const auto known = builder.fixed_curves.find(&field.value);
   if (known != builder.fixed_curves.end()) return known->second;
@@ -150,9 +141,10 @@ std::optional<CurveId> read_curves(Builder& builder, const Field& field, Of what
 
 }  // namespace
 
-std::optional<Moving> read_moving(Builder& builder, const Field& field, double (*change)(double)) {
-  if (is_curve(field.value)) {
-    const std::optional<CurveId> curve = read_curves(builder, field, Of::number, change);
+std::optional<Moving> read_moving(Builder& builder, const Field& field, double (*change)(double),
+                                  bool may_be_curve) {
+  if (may_be_curve && is_curve(field.value)) {
+    const std::optional<CurveId> curve = read_curves(builder, field, kNumbers, change);
     return curve ? std::optional(Moving{0, curve}) : std::nullopt;
   }
   const std::optional<double> number = builder.in.number(field);
@@ -160,20 +152,26 @@ std::optional<Moving> read_moving(Builder& builder, const Field& field, double (
   return Moving{change == nullptr ? *number : change(*number), {}};
 }
 
-bool lies_between(const Scene& scene, const Moving& number, double low, double high) {
-  const Curve* curve = number.curve ? &scene.curves[*number.curve] : nullptr;
-  const double least = curve != nullptr ? lowest(*curve) : number.value;
-  const double most = curve != nullptr ? highest(*curve) : number.value;
-  return least >= low && most <= high;
+double lowest(const Scene& scene, const Moving& number) {
+  return number.curve ? lowest(scene.curves[*number.curve]) : number.value;
 }
 
-std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& field) {
-  if (is_curve(field.value)) {
-    const std::optional<CurveId> curve = read_curves(builder, field, Of::point);
+double highest(const Scene& scene, const Moving& number) {
+  return number.curve ? highest(scene.curves[*number.curve]) : number.value;
+}
+
+bool lies_between(const Scene& scene, const Moving& number, double low, double high) {
+  return lowest(scene, number) >= low && highest(scene, number) <= high;
+}
+
+std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& field,
+                                             bool may_be_curve) {
+  if (may_be_curve && is_curve(field.value)) {
+    const std::optional<CurveId> curve = read_curves(builder, field, kPoints);
     return curve ? std::optional(MovingPoint{{0, 0}, *curve, *curve + 1}) : std::nullopt;
   }
   const std::vector<Value>& items = field.value.items;
-  if (items.size() != 2 || !(is_curve(items[0]) || is_curve(items[1]))) {
+  if (!may_be_curve || items.size() != 2 || !(is_curve(items[0]) || is_curve(items[1]))) {
     const std::optional<Vec2> point = builder.in.point(field);
     return point ? std::optional(MovingPoint{*point, {}, {}}) : std::nullopt;
   }
@@ -182,17 +180,16 @@ std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& fiel
   if (!x || !y) return std::nullopt;
   const Vec2 value(x->value, y->value);
   if (value.cwiseAbs().maxCoeff() <= kFarthest) return MovingPoint{value, x->curve, y->curve};
-  builder.in.problem(field.value.where, field.name + " lies beyond 1e300",
-                     "write numbers between -1e300 and 1e300");
-  return std::nullopt;
+  return builder.in.refuse({field.value.where, field.name + " lies beyond 1e300",
+                            "write numbers between -1e300 and 1e300"});
 }
 
 std::optional<Paint> read_moving_colour(Builder& builder, const Field& field) {
-  if (!is_curve(field.value)) {
+  if (!builder.may_change || !is_curve(field.value)) {
     const std::optional<Colour> colour = builder.in.colour(field);
     return colour ? std::optional(Paint(*colour)) : std::nullopt;
   }
-  const std::optional<CurveId> curve = read_curves(builder, field, Of::colour);
+  const std::optional<CurveId> curve = read_curves(builder, field, kColours);
   if (!curve) return std::nullopt;
   Paint paint;
   paint.curve = *curve;

@@ -177,20 +177,14 @@ std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {
   const auto found = builder.entity_names.find(*name);
   const auto copy = builder.entity_names.lower_bound(*name + ".");
   if (found == builder.entity_names.end() && copy != builder.entity_names.end() &&
-      copy->first.starts_with(*name + ".")) {
-    builder.in.problem(field.value.where, fmt::format("'{}' has copies", *name),
-                       fmt::format("call one of them: \"{}\"", copy->first));
-    return std::nullopt;
-  }
-  if (found == builder.entity_names.end()) {
-    builder.in.problems.push_back(
-        unknown_word(field.value.where, "entity", *name, some_names(builder)));
-    return std::nullopt;
-  }
+      copy->first.starts_with(*name + "."))
+    return builder.in.refuse({field.value.where, fmt::format("'{}' has copies", *name),
+                              fmt::format("call one of them: \"{}\"", copy->first)});
+  if (found == builder.entity_names.end())
+    return builder.in.refuse(unknown_word(field.value.where, "entity", *name, some_names(builder)));
   if (found->second.count == 1) return found->second.index;
-  builder.in.problem(field.value.where, fmt::format("two entities are named '{}'", *name),
-                     "give each a name of its own");
-  return std::nullopt;
+  return builder.in.refuse({field.value.where, fmt::format("two entities are named '{}'", *name),
+                            "give each a name of its own"});
 }
 
 std::vector<TableInfo> entity_tables() {

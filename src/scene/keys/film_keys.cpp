@@ -15,13 +15,8 @@ constexpr Word<CameraMotion> kMotions[] = {{"frame-origin", CameraMotion::frame_
 constexpr Word<bool> kWindows[] = {{"pixels", true}};
 constexpr std::int64_t kMaxSide = 2147483647;
 
-void read_rows(Builder& builder, const Field& field, Film& film) {
-  if (const auto rows = builder.in.integer(field, 1, 64)) film.rows = static_cast<int>(*rows);
-}
-
 void read_size(Builder& builder, const Field& field, Film& film) {
-  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2)
-    return builder.in.mismatch(field, "two whole numbers");
+  if (!builder.in.is_pair(field, "two whole numbers")) return;
   const auto width = builder.in.integer(field.item(0), 1, kMaxSide);
   const auto height = builder.in.integer(field.item(1), 1, kMaxSide);
   if (!width || !height) return;
@@ -58,7 +53,7 @@ constexpr Key<Film> kFilmKeys[] = {
     {{"background", "\"#rrggbb\"", "\"#ffffff\"; with lamps \"#000000\""}, &set<&Film::background>},
     {{"coverage", R"("area", "rows" or "centre")", "\"area\""},
      &set_word<&Film::coverage, kCoverages>},
-    {{"rows", "whole number", "4"}, &read_rows},
+    {{"rows", "whole number", "4"}, &set_integer<&Film::rows, 1, 64>},
 };
 
 void read_camera_at(Builder& builder, const Field& field, Camera& camera) {
@@ -72,10 +67,8 @@ void read_camera_at(Builder& builder, const Field& field, Camera& camera) {
 std::optional<Moving> read_above_zero(Builder& builder, const Field& field, const char* hint) {
   const auto number = read_moving(builder, field);
   if (!number) return std::nullopt;
-  if ((number->curve ? lowest(builder.scene.curves[*number->curve]) : number->value) > 0)
-    return number;
-  builder.in.problem(field.value.where, field.name + " is not above 0", hint);
-  return std::nullopt;
+  if (lowest(builder.scene, *number) > 0) return number;
+  return builder.in.refuse({field.value.where, field.name + " is not above 0", hint});
 }
 
 void read_height(Builder& builder, const Field& field, Camera& camera) {
@@ -87,15 +80,11 @@ void read_zoom(Builder& builder, const Field& field, Camera& camera) {
   if (zoom) camera.zoom = *zoom;
 }
 
-void read_follow(Builder& builder, const Field& field, Camera& camera) {
-  camera.follow = find_entity(builder, field);
-}
-
 constexpr Key<Camera> kCameraKeys[] = {
     {{"at", "[x, y] or a curve", "the middle of film.world"}, &read_camera_at},
     {{"height", "number or a curve", "that of film.world"}, &read_height},
     {{"zoom", "number or a curve", "1"}, &read_zoom},
-    {{"follow", "\"ENTITY\"", "none"}, &read_follow},
+    {{"follow", "\"ENTITY\"", "none"}, &set_entity<&Camera::follow>},
     {{"offset", "[dx, dy]", "[0, 0]"}, &set<&Camera::offset>},
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Camera::velocity>},
     {{"motion", R"("frame-origin" or "objects")", "\"frame-origin\""},

@@ -14,19 +14,16 @@ std::optional<Gradient::Stop> read_stop(Builder& builder, const Field& field, do
     const auto colour = builder.in.colour(field);
     return colour ? std::optional(Gradient::Stop{evenly, *colour}) : std::nullopt;
   }
-  if (field.value.items.size() != 2) {
-    builder.in.problem(field.value.where, field.name + " is not a place and a colour",
-                       "write [0.25, \"#rrggbb\"]");
-    return std::nullopt;
-  }
+  if (field.value.items.size() != 2)
+    return builder.in.refuse({field.value.where, field.name + " is not a place and a colour",
+                              "write [0.25, \"#rrggbb\"]"});
   const auto at = builder.in.number(field.item(0));
   const auto colour = builder.in.colour(field.item(1));
   if (!at || !colour) return std::nullopt;
   if (*at >= 0 && *at <= 1) return Gradient::Stop{*at, *colour};
-  builder.in.problem(field.value.items[0].where,
-                     field.item(0).name + " does not lie between 0 and 1",
-                     "0 is the beginning of the gradient, 1 its end");
-  return std::nullopt;
+  return builder.in.refuse({field.value.items[0].where,
+                            field.item(0).name + " does not lie between 0 and 1",
+                            "0 is the beginning of the gradient, 1 its end"});
 }
 
 void read_stops(Builder& builder, const Field& field, Gradient& gradient) {
@@ -53,14 +50,9 @@ struct RadialWords {
   double radius = 0;
 };
 
-void read_radius(Builder& builder, const Field& field, RadialWords& words) {
-  const auto radius = builder.in.number(field);
-  if (radius && !(*radius > 0 && *radius <= kFarthest))
-    builder.in.problem(field.value.where, field.name + " is not above 0",
-                       "the last colour lies on a circle of this radius");
-  else if (radius)
-    words.radius = *radius;
-}
+constexpr NumberRule kRadiusRule{[](double radius) { return radius > 0 && radius <= kFarthest; },
+                                 "is not above 0",
+                                 "the last colour lies on a circle of this radius"};
 
 void read_radial_stops(Builder& builder, const Field& field, RadialWords& words) {
   read_stops(builder, field, words.gradient);
@@ -75,7 +67,7 @@ constexpr Key<Gradient> kLinearKeys[] = {
 };
 constexpr Key<RadialWords> kRadialKeys[] = {
     {{"centre", "[x, y]", "[0, 0]"}, &set<&RadialWords::centre>},
-    {{"radius", "number", kRequired}, &read_radius},
+    {{"radius", "number", kRequired}, &set_number<&RadialWords::radius, kRadiusRule>},
     {{"stops", kStopsTake, kRequired}, &read_radial_stops},
 };
 
@@ -103,11 +95,7 @@ Gradient read_radial(Builder& builder, const Value& table) {
 std::optional<Paint> read_paint(Builder& builder, const Field& field) {
   const bool is_table = field.value.kind == Value::Kind::table && field.value.members.size() == 1;
   const std::string kind = is_table ? field.value.members.front().key : "";
-  if (kind != "linear" && kind != "radial") {
-    if (builder.may_change) return read_moving_colour(builder, field);
-    const auto colour = builder.in.colour(field);
-    return colour ? std::optional(Paint(*colour)) : std::nullopt;
-  }
+  if (kind != "linear" && kind != "radial") return read_moving_colour(builder, field);
   const std::size_t problems = builder.in.problems.size();
   const Value& table = field.value.members.front().value;
   Gradient gradient = kind == "linear" ? read_linear(builder, table) : read_radial(builder, table);

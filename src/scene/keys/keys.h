@@ -44,50 +44,66 @@ void read_keys(Builder& builder, const Value& table, const std::string& name,
   read_again(builder, table, name, keys, target);
 }
 
-template <class Pointer>
-struct MemberOf;
 template <class T, class M>
-struct MemberOf<M T::*> {
-  using Owner = T;
-  using Type = M;
-};
+T owner_of(M T::*);
 template <class T, class M>
-struct MemberOf<std::optional<M> T::*> {
-  using Owner = T;
-  using Type = M;
+M type_of(M T::*);
+template <class T, class M>
+M type_of(std::optional<M> T::*);
+template <auto Pointer>
+using OwnerOf = decltype(owner_of(Pointer));
+template <auto Pointer>
+using TypeOf = decltype(type_of(Pointer));
+
+/// Reads a number, point, box, truth value, string or colour into a member.
+template <auto Pointer>
+void set(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
+  if (const auto value = builder.in.as(field, static_cast<const TypeOf<Pointer>*>(nullptr)))
+    target.*Pointer = *value;
+}
+
+/// What a number must be, and what is said of one that is not: "fps is not above 0".
+struct NumberRule {
+  bool (*holds)(double);
+  const char* broken;  ///< "is not above 0"
+  const char* hint;
 };
 
-/// Reads a number, point, string or colour into a member.
-template <auto Pointer>
-void set(Builder& builder, const Field& field,
-         typename MemberOf<decltype(Pointer)>::Owner& target) {
-  using Type = typename MemberOf<decltype(Pointer)>::Type;
-  if (const auto value = builder.in.as(field, static_cast<const Type*>(nullptr)))
-    target.*Pointer = *value;
+constexpr bool is_above_zero(double number) { return number > 0; }
+
+/// Reads a number of which `rule` holds into a member.
+template <auto Pointer, const NumberRule& rule>
+void set_number(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
+  const auto number = builder.in.number(field);
+  if (number && !rule.holds(*number))
+    builder.in.problem(field.value.where, fmt::format("{} {}", field.name, rule.broken), rule.hint);
+  else if (number)
+    target.*Pointer = *number;
 }
 
 /// Reads degrees into radians.
 template <auto Pointer>
-void set_angle(Builder& builder, const Field& field,
-               typename MemberOf<decltype(Pointer)>::Owner& target) {
+void set_angle(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
   if (const auto degrees = builder.in.number(field)) target.*Pointer = radians(*degrees);
 }
 
 /// Reads a whole number in [low, high].
 template <auto Pointer, std::int64_t low, std::int64_t high>
-void set_integer(Builder& builder, const Field& field,
-                 typename MemberOf<decltype(Pointer)>::Owner& target) {
-  using Type = typename MemberOf<decltype(Pointer)>::Type;
+void set_integer(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
   if (const auto value = builder.in.integer(field, low, high))
-    target.*Pointer = static_cast<Type>(*value);
+    target.*Pointer = static_cast<TypeOf<Pointer>>(*value);
 }
 
 /// Reads one of a list of words.
 template <auto Pointer, const auto& words>
-void set_word(Builder& builder, const Field& field,
-              typename MemberOf<decltype(Pointer)>::Owner& target) {
-  using Type = typename MemberOf<decltype(Pointer)>::Type;
-  if (const auto value = builder.in.word<Type>(field, words)) target.*Pointer = *value;
+void set_word(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
+  if (const auto value = builder.in.word<TypeOf<Pointer>>(field, words)) target.*Pointer = *value;
+}
+
+/// Reads the name of an entity into its number.
+template <auto Pointer>
+void set_entity(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
+  if (const auto entity = find_entity(builder, field)) target.*Pointer = *entity;
 }
 
 /// Calls `read(element i)` for each element of an array of tables.

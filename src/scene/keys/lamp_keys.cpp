@@ -43,49 +43,41 @@ void read_source(Builder& builder, const Field& field, Lamp& lamp) {
   }
 }
 
-// A number that may be a curve and whose values all lie in [low, high].
-template <auto Pointer>
-void set_between(Builder& builder, const Field& field, Lamp& lamp, double low, double high,
-                 const char* hint) {
+struct Limits {
+  double low, high;
+  const char* hint;
+};
+constexpr Limits kPowerLimits{0, 1e30, "write 0 to 1e30, 1 for a plain lamp"};
+constexpr Limits kWavelengthLimits{380, 780, "light that is seen has 380 to 780 nm"};
+constexpr Limits kTemperatureLimits{
+    800, 1e5, "write 800 to 100000 kelvin, 2700 for a bulb, 6500 for daylight"};
+
+// A number that may be a curve and whose values all lie within limits.
+template <auto Pointer, const Limits& limits>
+void set_within(Builder& builder, const Field& field, Lamp& lamp) {
   const std::optional<Moving> number = read_moving(builder, field);
   if (!number) return;
   lamp.*Pointer = *number;
-  if (lies_between(builder.scene, *number, low, high)) return;
-  const Curve* curve = number->curve ? &builder.scene.curves[*number->curve] : nullptr;
-  const double least = curve != nullptr ? lowest(*curve) : number->value;
-  const double wrong = least >= low && curve != nullptr ? highest(*curve) : least;
+  const double least = lowest(builder.scene, *number), most = highest(builder.scene, *number);
+  if (least >= limits.low && most <= limits.high) return;
   builder.in.problem(
       field.value.where,
-      fmt::format("{} {} {}, not {} to {}", field.name, curve != nullptr ? "comes to" : "is",
-                  number_text(wrong), number_text(low), number_text(high)),
-      hint);
-}
-
-void read_power(Builder& builder, const Field& field, Lamp& lamp) {
-  set_between<&Lamp::power>(builder, field, lamp, 0, 1e30, "write 0 to 1e30, 1 for a plain lamp");
-}
-void read_wavelength(Builder& builder, const Field& field, Lamp& lamp) {
-  set_between<&Lamp::wavelength>(builder, field, lamp, 380, 780,
-                                 "light that is seen has 380 to 780 nm");
-}
-void read_temperature(Builder& builder, const Field& field, Lamp& lamp) {
-  set_between<&Lamp::temperature>(builder, field, lamp, 800, 1e5,
-                                  "write 800 to 100000 kelvin, 2700 for a bulb, 6500 for daylight");
+      fmt::format("{} {} {}, not {} to {}", field.name, number->curve ? "comes to" : "is",
+                  number_text(least >= limits.low ? most : least), number_text(limits.low),
+                  number_text(limits.high)),
+      limits.hint);
 }
 
 // A file that several lamps have is read once.
 void read_spectrum(Builder& builder, const Field& field, Lamp& lamp) {
   const auto name = builder.in.string(field);
   if (!name) return;
-  const auto tell = [&](Diagnostics&& problems) {
-    for (Diagnostic& one : problems) builder.in.problems.push_back(std::move(one));
-  };
   Result<SourcePtr> source = builder.imports.open(*name, field.value.where);
-  if (!source) return tell(std::move(source.error()));
+  if (!source) return builder.in.add(std::move(source.error()));
   const auto [known, is_new] = builder.spectra.try_emplace(source->get());
   if (is_new) {
     Result<Spectrum> spectrum = parse_spectrum(*source);
-    if (!spectrum) return tell(std::move(spectrum.error()));
+    if (!spectrum) return builder.in.add(std::move(spectrum.error()));
     known->second = std::make_shared<const Spectrum>(std::move(*spectrum));
   }
   lamp.spectrum = known->second;
@@ -122,10 +114,10 @@ void expect_one_colour(Builder& builder, const LampLight& light, const Value& ta
 constexpr const char* kOwn = "the lamp's";
 constexpr Key<Lamp> kLampLookKeys[] = {
     kNameKey<Lamp>,
-    {{"power", "number or a curve", kOwn}, &read_power},
+    {{"power", "number or a curve", kOwn}, &set_within<&Lamp::power, kPowerLimits>},
     {{"colour", "\"#rrggbb\" or a curve", kOwn}, &read_colour},
-    {{"nm", "number or a curve", kOwn}, &read_wavelength},
-    {{"kelvin", "number or a curve", kOwn}, &read_temperature},
+    {{"nm", "number or a curve", kOwn}, &set_within<&Lamp::wavelength, kWavelengthLimits>},
+    {{"kelvin", "number or a curve", kOwn}, &set_within<&Lamp::temperature, kTemperatureLimits>},
     {{"spectrum", "\"spectrum.csv\"", kOwn}, &read_spectrum},
     {{"velocity", "[vx, vy]", kOwn}, &set<&Lamp::velocity>},
 };
@@ -160,10 +152,10 @@ constexpr Key<Lamp> kLampKeys[] = {
     kMovingAngleKey<Lamp>,
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Lamp::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Lamp::angular_velocity>},
-    {{"power", "number or a curve", "1"}, &read_power},
+    {{"power", "number or a curve", "1"}, &set_within<&Lamp::power, kPowerLimits>},
     {{"colour", "\"#rrggbb\" or a curve", "\"#ffffff\""}, &read_colour},
-    {{"nm", "number or a curve", "none"}, &read_wavelength},
-    {{"kelvin", "number or a curve", "none"}, &read_temperature},
+    {{"nm", "number or a curve", "none"}, &set_within<&Lamp::wavelength, kWavelengthLimits>},
+    {{"kelvin", "number or a curve", "none"}, &set_within<&Lamp::temperature, kTemperatureLimits>},
     {{"spectrum", "\"spectrum.csv\"", "none"}, &read_spectrum},
     kMarkovKey<Lamp>,
     states_key<Lamp>(&read_lamp_states),
@@ -187,14 +179,9 @@ void read_exposure(Builder& builder, const Field& field, LightSettings& light) {
   light.exposure = *exposure;
 }
 
-void read_gamma(Builder& builder, const Field& field, LightSettings& light) {
-  const auto gamma = builder.in.number(field);
-  if (!gamma) return;
-  if (!(*gamma >= 0.1 && *gamma <= 10))
-    return builder.in.problem(field.value.where, field.name + " does not lie between 0.1 and 10",
-                              "write 2.2, or 1 for levels in proportion to light");
-  light.gamma = *gamma;
-}
+constexpr NumberRule kGammaRule{[](double gamma) { return gamma >= 0.1 && gamma <= 10; },
+                                "does not lie between 0.1 and 10",
+                                "write 2.2, or 1 for levels in proportion to light"};
 
 void read_scrambles(Builder& builder, const Field& field, LightSettings& light) {
   const auto count = builder.in.integer(field, 1, 64);
@@ -224,7 +211,7 @@ constexpr Key<LightSettings> kLightKeys[] = {
     {{"exposure", "number or \"auto\"", "\"auto\""}, &read_exposure},
     {{"tone", R"("linear", "soft", "filmic" or "gamma")", "\"soft\""},
      &set_word<&LightSettings::tone, kToneCurves>},
-    {{"gamma", "number", "2.2"}, &read_gamma},
+    {{"gamma", "number", "2.2"}, &set_number<&LightSettings::gamma, kGammaRule>},
     {{"sampler", R"("sorted" or "random")", "\"sorted\""},
      &set_word<&LightSettings::sampler, kSamplers>},
     {{"estimator", R"("forward", "backward" or "auto")", "\"auto\""},

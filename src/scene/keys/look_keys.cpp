@@ -11,14 +11,9 @@
 namespace flatray {
 namespace {
 
-std::optional<Moving> constant(const std::optional<double>& value) {
-  return value ? std::optional(Moving{*value, {}}) : std::nullopt;
-}
-
 template <bool in_pixels>
 void read_width(Builder& builder, const Field& field, Stroke& stroke) {
-  const auto width =
-      builder.may_change ? read_moving(builder, field) : constant(builder.in.number(field));
+  const auto width = read_moving(builder, field, nullptr, builder.may_change);
   if (!width) return;
   if (width->curve && lowest(builder.scene.curves[*width->curve]) < 0)
     return builder.in.problem(field.value.where, field.name + " goes below 0",
@@ -31,14 +26,12 @@ void read_width(Builder& builder, const Field& field, Stroke& stroke) {
   stroke.in_pixels = in_pixels;
 }
 
-void read_miter_limit(Builder& builder, const Field& field, Stroke& stroke) {
-  const auto limit = builder.in.number(field);
-  if (limit && !(*limit >= 1))
-    builder.in.problem(field.value.where, field.name + " is below 1",
-                       "it counts widths of the line: 4 lets corners of 29 degrees be sharp");
-  else if (limit)
-    stroke.miter_limit = *limit;
-}
+constexpr NumberRule kMiterLimitRule{
+    [](double limit) { return limit >= 1; }, "is below 1",
+    "it counts widths of the line: 4 lets corners of 29 degrees be sharp"};
+constexpr NumberRule kDashOffsetRule{
+    [](double offset) { return offset >= -kFarthest && offset <= kFarthest; }, "lies beyond 1e300",
+    "write a length"};
 
 std::vector<double> dash_lengths(Builder& builder, const Field& field) {
   std::vector<double> lengths;
@@ -73,14 +66,6 @@ void read_dashes(Builder& builder, const Field& field, Stroke& stroke) {
   builder.scene.dashes.push_back(std::move(lengths));
 }
 
-void read_dash_offset(Builder& builder, const Field& field, Stroke& stroke) {
-  const auto offset = builder.in.number(field);
-  if (offset && !(std::abs(*offset) <= kFarthest))
-    builder.in.problem(field.value.where, field.name + " lies beyond 1e300", "write a length");
-  else if (offset)
-    stroke.dash_offset = *offset;
-}
-
 void read_stroke_colour(Builder& builder, const Field& field, Stroke& stroke) {
   if (const auto paint = read_paint(builder, field)) stroke.colour = *paint;
 }
@@ -98,9 +83,9 @@ constexpr Key<Stroke> kStrokeKeys[] = {
      &read_stroke_colour},
     {{"joins", R"("round", "miter" or "bevel")", R"("round")"}, &set_word<&Stroke::joins, kJoins>},
     {{"caps", R"("round", "butt" or "square")", R"("round")"}, &set_word<&Stroke::caps, kCaps>},
-    {{"miter_limit", "number", "4"}, &read_miter_limit},
+    {{"miter_limit", "number", "4"}, &set_number<&Stroke::miter_limit, kMiterLimitRule>},
     {{"dashes", "[line, gap, ...]", "none"}, &read_dashes},
-    {{"dash_offset", "number", "0"}, &read_dash_offset},
+    {{"dash_offset", "number", "0"}, &set_number<&Stroke::dash_offset, kDashOffsetRule>},
 };
 
 bool is_none(const Value& value) {
@@ -142,10 +127,6 @@ void read_optional_stroke(Builder& builder, const Field& field, std::optional<St
     target = stroke;
 }
 
-std::vector<TableInfo> look_tables() {
-  std::vector<TableInfo> tables = gradient_tables();
-  tables.push_back({"stroke", key_infos<Stroke>(kStrokeKeys), true});
-  return tables;
-}
+std::vector<TableInfo> look_tables() { return {{"stroke", key_infos<Stroke>(kStrokeKeys), true}}; }
 
 }  // namespace flatray

@@ -33,8 +33,7 @@ void set_fill(Builder& builder, const Field& field, T& target) {
   read_fill(builder, field, target.fill);
 }
 template <auto Pointer>
-void set_stroke(Builder& builder, const Field& field,
-                typename MemberOf<decltype(Pointer)>::Owner& target) {
+void set_stroke(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
   read_optional_stroke(builder, field, target.*Pointer);
 }
 template <class T>
@@ -48,24 +47,20 @@ inline constexpr Key<T> kAngleKey = {{"angle", "degrees", "0"}, &set_angle<&T::a
 template <class T>
 inline constexpr Key<T> kLayerKey = {{"layer", "whole number", "0"},
                                      &set_integer<&T::layer, -1000000, 1000000>};
-inline void refuse_opacity(Builder& builder, const Field& field) {
-  builder.in.problem(field.value.where, field.name + " does not lie between 0 and 1",
-                     "0 is not seen, 1 is opaque");
-}
+inline constexpr NumberRule kOpacityRule{
+    [](double opacity) { return opacity >= 0 && opacity <= 1; }, "does not lie between 0 and 1",
+    "0 is not seen, 1 is opaque"};
 template <class T>
-void set_opacity(Builder& builder, const Field& field, T& target) {
-  const auto opacity = builder.in.number(field);
-  if (!opacity) return;
-  if (!(*opacity >= 0 && *opacity <= 1)) return refuse_opacity(builder, field);
-  target.opacity = *opacity;
-}
-template <class T>
-inline constexpr Key<T> kOpacityKey = {{"opacity", "number", "1"}, &set_opacity<T>};
+inline constexpr Key<T> kOpacityKey = {{"opacity", "number", "1"},
+                                       &set_number<&T::opacity, kOpacityRule>};
 template <class T>
 void set_moving_opacity(Builder& builder, const Field& field, T& target) {
   const std::optional<Moving> opacity = read_moving(builder, field);
   if (!opacity) return;
-  if (!lies_between(builder.scene, *opacity, 0, 1)) return refuse_opacity(builder, field);
+  if (!lies_between(builder.scene, *opacity, 0, 1))
+    return builder.in.problem(field.value.where,
+                              fmt::format("{} {}", field.name, kOpacityRule.broken),
+                              kOpacityRule.hint);
   target.opacity = opacity->value;
   target.opacity_curve = opacity->curve;
 }

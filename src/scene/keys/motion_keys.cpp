@@ -20,17 +20,13 @@ void read_path(Builder& builder, const Field& field, FollowWords& words) {
     if (const auto point = builder.in.point(field.item(i))) words.path.push_back(*point);
 }
 
-void read_duration(Builder& builder, const Field& field, FollowWords& words) {
-  words.duration = builder.in.number(field);
-  if (words.duration && !(*words.duration > 0))
-    builder.in.problem(field.value.where, field.name + " is not above 0",
-                       "write the seconds the whole path takes");
-}
+constexpr NumberRule kDurationRule{&is_above_zero, "is not above 0",
+                                   "write the seconds the whole path takes"};
 
 constexpr Key<FollowWords> kFollowKeys[] = {
     {{"path", "[[x, y], ...]", kRequired}, &read_path},
     {{"speed", "number", "none"}, &set<&FollowWords::speed>},
-    {{"duration", "seconds", "none"}, &read_duration},
+    {{"duration", "seconds", "none"}, &set_number<&FollowWords::duration, kDurationRule>},
     {{"start", "world units", "0"}, &set<&FollowWords::start>},
     {{"closed", "true or false", "false"}, &set<&FollowWords::closed>},
     {{"turn", "true or false", "false"}, &set<&FollowWords::turn>},

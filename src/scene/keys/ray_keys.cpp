@@ -15,10 +15,8 @@ constexpr Colour kRed{0xd6, 0x27, 0x28, 255}, kGreen{0x2c, 0xa0, 0x2c, 255},
 constexpr std::int64_t kMaxBounces = 100'000;
 constexpr std::int64_t kMaxFan = 10'000;
 
-void change_ray_stroke(Builder& builder, const Field& field, RayPath& ray) {
-  read_stroke(builder, field, ray.stroke);
-}
-void change_edge_stroke(Builder& builder, const Field& field, EdgeRays& rays) {
+template <class Rays>
+void change_stroke(Builder& builder, const Field& field, Rays& rays) {
   read_stroke(builder, field, rays.stroke);
 }
 
@@ -35,26 +33,10 @@ void read_direction(Builder& builder, const Field& field, RayPath& ray) {
   ray.direction_y = direction->y;
 }
 
-template <auto Pointer>
-void set_entity(Builder& builder, const Field& field, EdgeRays& rays) {
-  const auto entity = find_entity(builder, field);
-  if (!entity) return;
-  rays.*Pointer = *entity;
-}
-
-template <auto Pointer>
-void set_positive(Builder& builder, const Field& field,
-                  typename MemberOf<decltype(Pointer)>::Owner& target) {
-  const auto value = builder.in.number(field);
-  if (!value) return;
-  if (!(*value > 0))
-    return builder.in.problem(field.value.where, field.name + " must be above 0", "write 1");
-  target.*Pointer = *value;
-}
+constexpr NumberRule kSpeedRule{&is_above_zero, "must be above 0", "write 1"};
 
 template <auto Pointer, double (*change)(double) = nullptr>
-void set_moving(Builder& builder, const Field& field,
-                typename MemberOf<decltype(Pointer)>::Owner& target) {
+void set_moving(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
   if (const std::optional<Moving> number = read_moving(builder, field, change))
     target.*Pointer = *number;
 }
@@ -102,7 +84,7 @@ void read_radius(Builder& builder, const Field& field, RayPath::Ball& ball) {
 }
 
 constexpr Key<RayPath::Ball> kBallKeys[] = {
-    {{"speed", "number", "that of the ray"}, &set_positive<&RayPath::Ball::speed>},
+    {{"speed", "number", "that of the ray"}, &set_number<&RayPath::Ball::speed, kSpeedRule>},
     {{"radius", "number or a curve", kRequired}, &read_radius},
     {{"colour", "\"#rrggbb\"", "the line's"}, &set<&RayPath::Ball::colour>},
 };
@@ -131,10 +113,10 @@ constexpr Key<RayPath> kRayKeys[] = {
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&RayPath::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&RayPath::angular_velocity>},
     {{"bounces", "whole number", "0"}, &set_integer<&RayPath::bounces, 0, kMaxBounces>},
-    {{"speed", "number", "none"}, &set_positive<&RayPath::speed>},
+    {{"speed", "number", "none"}, &set_number<&RayPath::speed, kSpeedRule>},
     {{"stroke", R"({ width = w, colour = "#rrggbb" })",
       R"({ width_px = 1.5, colour = "#d62728" })"},
-     &read_changing<RayPath, &change_ray_stroke>},
+     &read_changing<RayPath, &change_stroke<RayPath>>},
     {{"hit_points", "\"#rrggbb\"", "none"}, &set<&RayPath::hit_points>},
     {{"end_colour", "\"#rrggbb\"", "the stroke's"}, &set<&RayPath::end_colour>},
     {{"numbers", "\"#rrggbb\"", "none"}, &set<&RayPath::numbers>},
@@ -151,7 +133,7 @@ constexpr Key<EdgeRays> kEdgeRayKeys[] = {
     {{"against", "\"ENTITY\"", kRequired}, &set_entity<&EdgeRays::against>},
     {{"stroke", R"({ width = w, colour = "#rrggbb" })",
       R"({ width_px = 1.5, colour = "#7f7f7f" })"},
-     &change_edge_stroke},
+     &change_stroke<EdgeRays>},
     {{"inside", "\"#rrggbb\"", "\"#1f77b4\""}, &set<&EdgeRays::inside>},
     {{"enter", "\"#rrggbb\"", "\"#2ca02c\""}, &set<&EdgeRays::enter>},
     {{"exit", "\"#rrggbb\"", "\"#d62728\""}, &set<&EdgeRays::exit>},
@@ -194,10 +176,8 @@ void read_ray(Builder& builder, const Value& table, std::uint32_t number) {
 void read_rays(Builder& builder, const Field& field, Scene& scene) {
   std::uint32_t tables = 0;
   each_table(builder, field, [&](const Value& table) { read_ray(builder, table, tables++); });
-  if (!std::ranges::any_of(scene.rays, [](const RayPath& ray) { return ray.speed.has_value(); }))
-    return;
-  for (Diagnostic& problem : refused_mirrors(scene))
-    builder.in.problems.push_back(std::move(problem));
+  if (std::ranges::any_of(scene.rays, [](const RayPath& ray) { return ray.speed.has_value(); }))
+    builder.in.add(refused_mirrors(scene));
 }
 
 void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {

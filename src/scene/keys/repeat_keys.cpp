@@ -9,17 +9,12 @@ namespace {
 constexpr std::int64_t kMostCopies = std::int64_t{1} << 40;
 
 void read_counts(Builder& builder, const Field& field, Grid& grid) {
-  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2)
-    return builder.in.mismatch(field, "two whole numbers");
+  if (!builder.in.is_pair(field, "two whole numbers")) return;
   const auto columns = builder.in.integer(field.item(0), 1, kMostCopies);
   const auto rows = builder.in.integer(field.item(1), 1, kMostCopies);
   if (!columns || !rows) return;
   grid.columns = static_cast<std::uint64_t>(*columns);
   grid.rows = static_cast<std::uint64_t>(*rows);
-}
-
-void read_box(Builder& builder, const Field& field, Scatter& scatter) {
-  if (const auto box = builder.in.box(field)) scatter.in = *box;
 }
 
 template <class T>
@@ -39,21 +34,17 @@ constexpr Key<Ring> kRingKeys[] = {
 };
 constexpr Key<Scatter> kScatterKeys[] = {
     kCountKey<Scatter>,
-    {{"in", "[[x0, y0], [x1, y1]]", kRequired}, &read_box},
-};
-
-struct Kinds {
-  std::optional<Repeat> repeat;
+    {{"in", "[[x0, y0], [x1, y1]]", kRequired}, &set<&Scatter::in>},
 };
 
 template <class T, const auto& keys>
-void read_kind(Builder& builder, const Field& field, Kinds& kinds) {
+void read_kind(Builder& builder, const Field& field, std::optional<Repeat>& chosen) {
   T repeat;
   read_keys<T>(builder, field.value, field.name, keys, repeat);
-  kinds.repeat = repeat;
+  chosen = repeat;
 }
 
-constexpr Key<Kinds> kRepeatKeys[] = {
+constexpr Key<std::optional<Repeat>> kRepeatKeys[] = {
     {{"grid", "{ count = [nx, ny], step = [dx, dy] }", "none"}, &read_kind<Grid, kGridKeys>},
     {{"ring", "{ count = n, radius = r }", "none"}, &read_kind<Ring, kRingKeys>},
     {{"scatter", "{ count = n, in = [[x0, y0], [x1, y1]] }", "none"},
@@ -83,15 +74,14 @@ Copy place(const Scatter& scatter, std::uint64_t, const Draws& draws) {
 
 std::optional<Repeat> read_repeat(Builder& builder, const Field& field) {
   const std::size_t problems = builder.in.problems.size();
-  Kinds kinds;
-  read_keys<Kinds>(builder, field.value, "repeat", kRepeatKeys, kinds);
+  std::optional<Repeat> repeat;
+  read_keys<std::optional<Repeat>>(builder, field.value, "repeat", kRepeatKeys, repeat);
   if (builder.in.problems.size() > problems) return std::nullopt;
-  if (field.value.members.size() == 1) return kinds.repeat;
-  builder.in.problem(
-      field.value.where,
-      fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
-      "write one of grid, ring, scatter; a group repeats what repeats");
-  return std::nullopt;
+  if (field.value.members.size() == 1) return repeat;
+  return builder.in.refuse(
+      {field.value.where,
+       fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
+       "write one of grid, ring, scatter; a group repeats what repeats"});
 }
 
 std::uint64_t copy_count(const Repeat& repeat) {
@@ -106,7 +96,7 @@ Copy copy_of(const Repeat& repeat, std::uint64_t number, const Draws& draws) {
 }
 
 std::vector<TableInfo> repeat_tables() {
-  return {{"repeat", key_infos<Kinds>(kRepeatKeys)},
+  return {{"repeat", key_infos<std::optional<Repeat>>(kRepeatKeys)},
           {"repeat.grid", key_infos<Grid>(kGridKeys)},
           {"repeat.ring", key_infos<Ring>(kRingKeys)},
           {"repeat.scatter", key_infos<Scatter>(kScatterKeys)}};

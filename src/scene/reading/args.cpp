@@ -29,12 +29,6 @@ bool may_change(const Field& field) {
   return std::string_view(field.takes).find("a curve") != std::string_view::npos;
 }
 
-std::optional<Moving> read_moving_or_not(Builder& builder, const Field& field) {
-  if (may_change(field)) return read_moving(builder, field);
-  const std::optional<double> number = builder.in.number(field);
-  return number ? std::optional(Moving{*number, {}}) : std::nullopt;
-}
-
 }  // namespace
 
 Args::Args(Builder& builder, Field field, std::span<const KeyInfo> keys, KeptArguments* changing)
@@ -43,13 +37,14 @@ Args::Args(Builder& builder, Field field, std::span<const KeyInfo> keys, KeptArg
       scene_(&builder.scene),
       field_(std::move(field)),
       keys_(keys),
-      noting_(changing),
-      known_(changing) {
+      noting_(changing != nullptr ? changing : &own_),
+      known_(noting_),
+      changes_(changing != nullptr) {
   check_keys(field_->value, field_->name, keys, builder.in.problems);
 }
 
 Args::Args(const Scene& scene, const KeptArguments& changing, double time)
-    : scene_(&scene), known_(&changing), time_(time) {}
+    : scene_(&scene), known_(&changing), changes_(true), time_(time) {}
 
 void Args::set_time(double time) {
   time_ = time;
@@ -64,16 +59,18 @@ std::optional<Field> Args::find(const char* key) const {
   return Field{field_->name + "." + key, member->value, info == keys_.end() ? "" : info->takes};
 }
 
-const Moving* Args::changing_number(const char* key) {
+const Moving* Args::kept_number(const char* key) {
   const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
-    if (const auto number = read_moving_or_not(*builder_, field)) made.numbers.push_back(*number);
+    if (const auto number = read_moving(*builder_, field, nullptr, changes_ && may_change(field)))
+      made.numbers.push_back(*number);
   });
   return argument == nullptr || argument->numbers.empty() ? nullptr : &argument->numbers.front();
 }
 
 void Args::note_point(const Field& field, Argument& argument) {
-  const auto point = read_moving_point(*builder_, field);
+  const auto point = read_moving_point(*builder_, field, changes_);
   if (!point) return;
+  if (!changes_ && !has_distribution(field.value)) read_.push_back({point->value, &field.value});
   argument.numbers.push_back({point->value.x(), point->x});
   argument.numbers.push_back({point->value.y(), point->y});
 }
@@ -84,24 +81,14 @@ Vec2 Args::point_now(const Argument& argument, std::size_t i) const {
 }
 
 Vec2 Args::point(const char* key) {
-  if (known_ != nullptr) {
-    const Argument* argument =
-        noted(key, [&](const Field& field, Argument& made) { note_point(field, made); });
-    return argument == nullptr ? Vec2(0, 0) : point_now(*argument, 0);
-  }
-  const std::optional<Field> field = find(key);
-  const std::optional<Vec2> point = field ? builder_->in.point(*field) : std::nullopt;
-  if (point && !has_distribution(field->value)) read_.push_back({*point, &field->value});
-  return point.value_or(Vec2(0, 0));
+  const Argument* argument =
+      noted(key, [&](const Field& field, Argument& made) { note_point(field, made); });
+  return argument == nullptr ? Vec2(0, 0) : point_now(*argument, 0);
 }
 
 double Args::number(const char* key, double fallback) {
-  if (known_ != nullptr) {
-    const Moving* number = changing_number(key);
-    return number == nullptr ? fallback : plus(*scene_, *number, time_);
-  }
-  const std::optional<Field> field = find(key);
-  return field ? builder_->in.number(*field).value_or(fallback) : fallback;
+  const Moving* number = kept_number(key);
+  return number == nullptr ? fallback : plus(*scene_, *number, time_);
 }
 
 std::array<double, 3> Args::channels(const char* key, double fallback) {
@@ -128,30 +115,16 @@ Vec2 Args::range(const char* key) {
 }
 
 double Args::size(const char* key) {
-  if (known_ != nullptr) return changing_size(key);
-  const std::optional<Field> field = find(key);
-  const std::optional<double> size = field ? builder_->in.number(*field) : std::nullopt;
-  if (size && !(*size > 0 && *size <= kFarthest)) refuse_size(*field);
-  return size.value_or(0);
-}
-
-double Args::changing_size(const char* key) {
-  const Moving* number = changing_number(key);
+  const Moving* number = kept_number(key);
   const double size = number == nullptr ? 0 : plus(*scene_, *number, time_);
   vanish(!(size > 0));
   if (builder_ == nullptr || number == nullptr) return size;
   if (number->curve && size < 0)
-    builder_->in.problem(place(key), find(key)->name + " goes below 0",
-                         "end the curve at 0: nothing is there then");
+    problem(key, "goes below 0", "end the curve at 0: nothing is there then");
   else if (!(size <= kFarthest) || (!number->curve && size <= 0))
-    refuse_size(*find(key));
+    problem(key, fmt::format("is {}", source_text(find(key)->value).substr(0, 40)),
+            "write a number above 0, at most 1e300");
   return size;
-}
-
-void Args::refuse_size(const Field& field) {
-  builder_->in.problem(field.value.where,
-                       fmt::format("{} is {}", field.name, source_text(field.value).substr(0, 40)),
-                       "write a number above 0, at most 1e300");
 }
 
 std::int64_t Args::integer(const char* key, std::int64_t fallback, std::int64_t low,
@@ -161,10 +134,6 @@ std::int64_t Args::integer(const char* key, std::int64_t fallback, std::int64_t 
 }
 
 std::string Args::string(const char* key, std::string fallback) {
-  if (known_ == nullptr) {
-    const std::optional<Field> field = find(key);
-    return field ? builder_->in.string(*field).value_or(fallback) : fallback;
-  }
   const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
     made.text = builder_->in.string(field).value_or(fallback);
   });
@@ -176,29 +145,15 @@ bool Args::flag(const char* key, bool fallback) {
 }
 
 std::vector<Vec2> Args::points(const char* key) {
-  std::vector<Vec2> points;
-  const auto each = [&](const Field& field, const auto& read) {
+  const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
     if (!builder_->in.is(field, Value::Kind::array, "a list of points")) return;
     if (field.value.items.empty())
       builder_->in.problem(field.value.where, field.name + " is empty", "write at least one point");
-    for (std::size_t i = 0; i < field.value.items.size(); ++i) read(field.item(i));
-  };
-  if (known_ != nullptr) {
-    const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
-      each(field, [&](const Field& item) { note_point(item, made); });
-    });
-    for (std::size_t i = 0; argument != nullptr && i < argument->numbers.size(); i += 2)
-      points.push_back(point_now(*argument, i));
-    return points;
-  }
-  const std::optional<Field> field = find(key);
-  if (!field) return points;
-  each(*field, [&](const Field& item) {
-    const std::optional<Vec2> point = builder_->in.point(item);
-    if (!point) return;
-    points.push_back(*point);
-    if (!has_distribution(item.value)) read_.push_back({*point, &item.value});
+    for (std::size_t i = 0; i < field.value.items.size(); ++i) note_point(field.item(i), made);
   });
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; argument != nullptr && i < argument->numbers.size(); i += 2)
+    points.push_back(point_now(*argument, i));
   return points;
 }
 

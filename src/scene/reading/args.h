@@ -12,14 +12,14 @@ namespace flatray {
 /// The arguments of a shape, a lamp's source or a material, read by name. A wrong or missing one is
 /// noted and stands in as 0 or empty: the thing is then refused for that alone, whatever `build` says.
 ///
-/// Of a shape that changes, each is read once and kept; they then have the values of the time
-/// that is set.
+/// Each is read once and kept; those of a shape that changes have the values of the time that is set.
 class Args {
  public:
   Args(Builder& builder, Field field, std::span<const KeyInfo> keys,
        KeptArguments* changing = nullptr);
   /// Of a shape that was read, at a time; there are no places.
   Args(const Scene& scene, const KeptArguments& changing, double time);
+  Args(const Args&) = delete;
 
   const Place where;  ///< of the table of arguments
 
@@ -56,7 +56,7 @@ class Args {
   /// Says that nothing is left of the shape: one that changes is then not there, whatever `build`
   /// says, which then need not make its corners.
   void vanish(bool nothing_is_left = true) { gone_ |= nothing_is_left; }
-  bool gone() const { return gone_ && known_ != nullptr; }
+  bool gone() const { return gone_ && changes_; }
   void set_time(double time);
 
   /// Warns of points read so far that were written differently but are the same doubles.
@@ -66,8 +66,7 @@ class Args {
   using Argument = KeptArguments::Argument;
 
   std::optional<Field> find(const char* key) const;
-  /// The argument of a shape that changes, read by `read(field, argument)` where it is not known;
-  /// nullptr where it is not given.
+  /// An argument, read by `read(field, argument)` where it is not known; nullptr where it is not given.
   template <class Read>
   const Argument* noted(const char* key, const Read& read) {
     for (const Argument& argument : known_->arguments)
@@ -81,10 +80,6 @@ class Args {
   /// What cannot change: a word, whole number or truth value, which is kept as a number.
   template <class Plain, class Read>
   Plain plain(const char* key, Plain fallback, const Read& read) {
-    if (known_ == nullptr) {
-      const std::optional<Field> field = find(key);
-      return field ? read(*field).value_or(fallback) : fallback;
-    }
     const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
       if (const auto value = read(field)) made.numbers.push_back({static_cast<double>(*value), {}});
     });
@@ -92,19 +87,19 @@ class Args {
                ? fallback
                : static_cast<Plain>(argument->numbers.front().value);
   }
-  const Moving* changing_number(const char* key);
-  double changing_size(const char* key);
-  void refuse_size(const Field& field);
+  const Moving* kept_number(const char* key);
   void note_point(const Field& field, Argument& argument);
-  /// Points of a changing argument from number `i` on, at the time.
+  /// Points of an argument from number `i` on, at the time.
   Vec2 point_now(const Argument& argument, std::size_t i) const;
 
   Builder* builder_ = nullptr;  ///< where there is something to read
   const Scene* scene_;
   std::optional<Field> field_;
   std::span<const KeyInfo> keys_;
+  KeptArguments own_{};  ///< of what does not change
   KeptArguments* noting_ = nullptr;
   const KeptArguments* known_;
+  const bool changes_;
   double time_ = 0;
   bool gone_ = false, warns_ = true;
   struct ReadPoint {

@@ -127,34 +127,27 @@ class Includer {
     if (!file) return std::nullopt;
     const Place& where = field.value.where;
     if (fs::path(*file).is_absolute())
-      return refuse(where, fmt::format("'{}' is an absolute path", *file),
-                    "write it from the folder of this file on, so that scenes can be moved");
+      return in.refuse({where, fmt::format("'{}' is an absolute path", *file),
+                        "write it from the folder of this file on, so that scenes can be moved"});
     const Format* format = format_for_name(*file);
     if (format == nullptr)
-      return refuse(where, fmt::format("'{}' has no extension of a scene", *file),
-                    "known: " + known_extensions());
+      return in.refuse({where, fmt::format("'{}' has no extension of a scene", *file),
+                        "known: " + known_extensions()});
     const Result<SourcePtr> source = imports_.include(*file, where);
-    if (!source) return refuse(source.error());
+    if (!source) return in.add(source.error()), std::nullopt;
     if (std::ranges::find(open_, identity(*source)) != open_.end())
-      return refuse(where, fmt::format("'{}' includes itself", *file), "take this include out");
+      return in.refuse(
+          {where, fmt::format("'{}' includes itself", *file), "take this include out"});
     if (known_.count(identity(*source)) != 0) return std::nullopt;
     if (open_.size() > limits_.max_depth)
-      return refuse(where, fmt::format("files are included more than {} deep", limits_.max_depth),
-                    "--max-depth raises the limit");
+      return in.refuse({where,
+                        fmt::format("files are included more than {} deep", limits_.max_depth),
+                        "--max-depth raises the limit"});
     Result<SceneDesc> desc = format->read(*source, limits_);
-    if (!desc) return refuse(desc.error());
+    if (!desc) return in.add(std::move(desc.error())), std::nullopt;
     check_version(in, desc->root);
     take(*desc, *source);
     return std::move(*desc);
-  }
-
-  std::nullopt_t refuse(const Place& where, std::string message, std::string hint) {
-    in.problem(where, std::move(message), std::move(hint));
-    return std::nullopt;
-  }
-  std::nullopt_t refuse(const Diagnostics& problems) {
-    in.problems.insert(in.problems.end(), problems.begin(), problems.end());
-    return std::nullopt;
   }
 
   Imports& imports_;

@@ -24,12 +24,11 @@ std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
     std::ranges::transform(types, all.begin(), &Type::name);
     return all;
   };
-  if (field.value.members.size() != 1) {
-    in.problem(field.value.where,
-               fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
-               "write one of: " + comma_list(names()));
-    return std::nullopt;
-  }
+  if (field.value.members.size() != 1)
+    return in.refuse(
+        {field.value.where,
+         fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
+         "write one of: " + comma_list(names())});
   const Member& kind = field.value.members.front();
   for (const Type* type : types) {
     if (kind.key != type->name) continue;
@@ -37,9 +36,7 @@ std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
     if (!in.is(arguments, Value::Kind::table, "a table")) return std::nullopt;
     return Kind<Type>{type, kind.value};
   }
-  in.problems.push_back(
-      unknown_word(kind.where, std::string_view(what).substr(2), kind.key, names()));
-  return std::nullopt;
+  return in.refuse(unknown_word(kind.where, std::string_view(what).substr(2), kind.key, names()));
 }
 
 }  // namespace flatray

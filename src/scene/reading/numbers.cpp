@@ -1,7 +1,6 @@
 #include "scene/reading/numbers.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/number_text.h"
 
@@ -38,11 +37,8 @@ std::optional<long> take_exponent(std::string_view text) {
   if (text.front() != 'e' && text.front() != 'E') return std::nullopt;
   text.remove_prefix(1);
   if (text.starts_with('+')) text.remove_prefix(1);
-  long exponent = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-  const bool whole = end == text.data() + text.size() && !text.empty();
-  if (error != std::errc{} || !whole || std::abs(exponent) > kMaxExponent) return std::nullopt;
-  return exponent;
+  const std::optional<long> exponent = parse_digits<long>(text);
+  return exponent && std::abs(*exponent) <= kMaxExponent ? exponent : std::nullopt;
 }
 
 void strip_zeros(Decimal& decimal) {
@@ -67,12 +63,7 @@ Rational power_of_ten(long exponent) {
 std::optional<std::uint64_t> parse_prefixed(std::string_view text) {
   if (text.size() < 3 || text[0] != '0') return std::nullopt;
   const int base = text[1] == 'x' ? 16 : text[1] == 'o' ? 8 : text[1] == 'b' ? 2 : 0;
-  if (base == 0) return std::nullopt;
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data() + 2, end, value, base);
-  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
-  return value;
+  return base == 0 ? std::nullopt : parse_digits<std::uint64_t>(text.substr(2), base);
 }
 
 Number nearest_double(std::uint64_t whole) {
@@ -153,10 +144,9 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
   const std::string plain = without_underscores(text);
   if (const auto whole = parse_prefixed(plain))
     return *whole >> 63 == 0 ? std::optional(static_cast<std::int64_t>(*whole)) : std::nullopt;
-  const char* end = plain.data() + plain.size();
-  std::int64_t value = 0;
-  const auto result = std::from_chars(plain.data() + (plain.starts_with('+') ? 1 : 0), end, value);
-  if (result.ec == std::errc{} && result.ptr == end) return value;
+  const std::size_t sign = plain.starts_with('+') ? 1 : 0;
+  if (const auto value = parse_digits<std::int64_t>(std::string_view(plain).substr(sign)))
+    return value;
   const std::optional<Number> number = parse_literal(plain);
   if (!number || number->loss != Number::Loss::none || std::abs(number->value) >= kLimit ||
       number->value != std::floor(number->value))

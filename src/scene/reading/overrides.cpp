@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "base/counted.h"
+#include "base/number_text.h"
 #include "scene/reading/format.h"
 #include "scene/reading/vocabulary.h"
 
@@ -28,12 +28,9 @@ std::vector<std::string> names_of(const Value& array) {
 
 // Entry of an array by number or name.
 Result<Value*> entry(Value& array, const Member& step) {
-  std::size_t index = 0;
-  const char* end = step.key.data() + step.key.size();
-  const auto parsed = std::from_chars(step.key.data(), end, index);
-  if (parsed.ec == std::errc{} && parsed.ptr == end) {
-    if (index < array.items.size()) return &array.items[index];
-    return fail(step.where, fmt::format("there is no entry {}", index),
+  if (const auto index = parse_digits<std::size_t>(step.key)) {
+    if (*index < array.items.size()) return &array.items[*index];
+    return fail(step.where, fmt::format("there is no entry {}", *index),
                 fmt::format("the scene has {}, numbered from 0",
                             counted(array.items.size(), "entry", "entries")),
                 Trouble::usage);

@@ -2,11 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "base/counted.h"
+#include "base/number_text.h"
 #include "scene/reading/numbers.h"
 
 namespace flatray {
@@ -30,20 +31,18 @@ std::string how_to_write(const Field& field) {
   return fmt::format("write {} = {}", key, takes);
 }
 
-std::optional<std::uint8_t> hex_byte(std::string_view text) {
-  std::uint8_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::optional<Colour> parse_colour(std::string_view text) {
   if (!text.starts_with('#') || (text.size() != 7 && text.size() != 9)) return std::nullopt;
-  const auto r = hex_byte(text.substr(1, 2)), g = hex_byte(text.substr(3, 2)),
-             b = hex_byte(text.substr(5, 2));
-  const auto a = text.size() == 9 ? hex_byte(text.substr(7, 2)) : std::optional<std::uint8_t>(255);
-  if (!r || !g || !b || !a) return std::nullopt;
-  return Colour{*r, *g, *b, *a};
+  Colour colour;
+  text.remove_prefix(1);
+  for (std::uint8_t* channel : {&colour.r, &colour.g, &colour.b, &colour.a}) {
+    if (text.empty()) break;  // no opacity is given
+    const auto value = parse_digits<std::uint8_t>(text.substr(0, 2), 16);
+    if (!value) return std::nullopt;
+    *channel = *value;
+    text.remove_prefix(2);
+  }
+  return colour;
 }
 
 }  // namespace
@@ -60,6 +59,13 @@ void Reader::warning(const Place& where, std::string message, std::string hint) 
   warnings.push_back({where, std::move(message), std::move(hint)});
 }
 
+void Reader::add(Diagnostics more) { std::ranges::move(more, std::back_inserter(problems)); }
+
+std::nullopt_t Reader::refuse(Diagnostic one) {
+  problems.push_back(std::move(one));
+  return std::nullopt;
+}
+
 void Reader::mismatch(const Field& field, const char* expected) {
   problem(field.value.where,
           fmt::format("{} is {}, not {}", field.name, kind_name(field.value.kind), expected),
@@ -68,6 +74,12 @@ void Reader::mismatch(const Field& field, const char* expected) {
 
 bool Reader::is(const Field& field, Value::Kind kind, const char* expected) {
   if (field.value.kind == kind) return true;
+  mismatch(field, expected);
+  return false;
+}
+
+bool Reader::is_pair(const Field& field, const char* expected) {
+  if (field.value.kind == Value::Kind::array && field.value.items.size() == 2) return true;
   mismatch(field, expected);
   return false;
 }
@@ -83,10 +95,9 @@ std::optional<std::size_t> Reader::draw_choice(const Field& field) {
   const Field list{field.name + ".choice", field.value.members.front().value, "[one, another]"};
   if (!may_draw(field) || !is(list, Value::Kind::array, "a list")) return std::nullopt;
   const std::size_t count = list.value.items.size();
-  if (count == 0) {
-    problem(list.value.where, list.name + " is empty", "write at least one value to choose");
-    return std::nullopt;
-  }
+  if (count == 0)
+    return refuse(
+        {list.value.where, list.name + " is empty", "write at least one value to choose"});
   const double drawn = draws->unit(field.value) * static_cast<double>(count);
   return std::min(static_cast<std::size_t>(drawn), count - 1);
 }
@@ -96,27 +107,20 @@ std::optional<double> Reader::draw_number(const Field& field) {
   const Member& kind = field.value.members.front();
   const bool is_normal = kind.key == "normal";
   const Field pair{field.name + "." + kind.key, kind.value, is_normal ? "[mean, sd]" : "[a, b]"};
-  if (!may_draw(field) || !is(pair, Value::Kind::array, "two numbers")) return std::nullopt;
-  if (pair.value.items.size() != 2) {
-    mismatch(pair, "two numbers");
-    return std::nullopt;
-  }
+  if (!may_draw(field) || !is_pair(pair, "two numbers")) return std::nullopt;
   const std::optional<double> a = plain_number(pair.item(0)), b = plain_number(pair.item(1));
   if (!a || !b) return std::nullopt;
   const double reach = is_normal ? *b : *b - *a;
   if (!(reach >= 0))
-    problem(pair.value.where,
-            pair.name + (is_normal ? " has a spread below 0" : " ends below its beginning"),
-            is_normal ? "the second number is the standard deviation"
-                      : "write the smaller number first");
-  else if (std::abs(*a) > kFarthest || std::abs(*b) > kFarthest)
-    problem(pair.value.where, pair.name + " reaches beyond 1e300",
-            "write numbers between -1e300 and 1e300");
-  else if (is_normal)
-    return *a + reach * draws->normal(field.value);
-  else
-    return std::min(*a + reach * draws->unit(field.value), *b);
-  return std::nullopt;
+    return refuse({pair.value.where,
+                   pair.name + (is_normal ? " has a spread below 0" : " ends below its beginning"),
+                   is_normal ? "the second number is the standard deviation"
+                             : "write the smaller number first"});
+  if (std::abs(*a) > kFarthest || std::abs(*b) > kFarthest)
+    return refuse({pair.value.where, pair.name + " reaches beyond 1e300",
+                   "write numbers between -1e300 and 1e300"});
+  return is_normal ? *a + reach * draws->normal(field.value)
+                   : std::min(*a + reach * draws->unit(field.value), *b);
 }
 
 std::optional<double> Reader::number(const Field& field) {
@@ -143,11 +147,9 @@ std::optional<double> Reader::plain_number(const Field& field) {
   if (!is(field, Value::Kind::number, "a number")) return std::nullopt;
   const std::string_view text = source_text(field.value);
   const std::optional<Number> number = parse_literal(text);
-  if (!number) {
-    problem(field.value.where, fmt::format("{} is not finite", field.name),
-            "write a number between -1e300 and 1e300");
-    return std::nullopt;
-  }
+  if (!number)
+    return refuse({field.value.where, fmt::format("{} is not finite", field.name),
+                   "write a number between -1e300 and 1e300"});
   if (number->loss == Number::Loss::integer)
     warning(field.value.where,
             fmt::format("{} reads as {}", text.substr(0, 40), decimal_text(number->value)),
@@ -164,10 +166,9 @@ std::optional<std::int64_t> Reader::integer(const Field& field, std::int64_t low
   if (!is(field, Value::Kind::number, "a whole number")) return std::nullopt;
   const std::optional<std::int64_t> value = parse_integer(source_text(field.value));
   if (value && *value >= low && *value <= high) return value;
-  problem(field.value.where,
-          fmt::format("{} is {}", field.name, source_text(field.value).substr(0, 40)),
-          fmt::format("it must be a whole number from {} to {}", low, high));
-  return std::nullopt;
+  return refuse({field.value.where,
+                 fmt::format("{} is {}", field.name, source_text(field.value).substr(0, 40)),
+                 fmt::format("it must be a whole number from {} to {}", low, high)});
 }
 
 std::optional<Vec2> Reader::point(const Field& field) {
@@ -177,44 +178,35 @@ std::optional<Vec2> Reader::point(const Field& field) {
 std::optional<Vec2> Reader::plain_point(const Field& field) {
   if (refuse_curve(field)) return std::nullopt;
   if (!is(field, Value::Kind::array, "two numbers")) return std::nullopt;
-  if (field.value.items.size() != 2) {
-    problem(
-        field.value.where,
-        fmt::format("{} has {}, not two", field.name, counted(field.value.items.size(), "number")),
-        how_to_write(field));
-    return std::nullopt;
-  }
+  if (field.value.items.size() != 2)
+    return refuse(
+        {field.value.where,
+         fmt::format("{} has {}, not two", field.name, counted(field.value.items.size(), "number")),
+         how_to_write(field)});
   const std::optional<double> x = number(field.item(0)), y = number(field.item(1));
   if (!x || !y) return std::nullopt;
   const Vec2 point(*x, *y);
-  if (point.cwiseAbs().maxCoeff() > kFarthest) {
-    problem(field.value.where, fmt::format("{} lies beyond 1e300", field.name),
-            "write numbers between -1e300 and 1e300");
-    return std::nullopt;
-  }
+  if (point.cwiseAbs().maxCoeff() > kFarthest)
+    return refuse({field.value.where, fmt::format("{} lies beyond 1e300", field.name),
+                   "write numbers between -1e300 and 1e300"});
   return point;
 }
 
 std::optional<Bounds> Reader::box(const Field& field) {
-  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2) {
-    mismatch(field, "two points");
-    return std::nullopt;
-  }
+  if (!is_pair(field, "two points")) return std::nullopt;
   const std::optional<Vec2> low = point(field.item(0)), high = point(field.item(1));
   if (!low || !high) return std::nullopt;
   if (const Vec2 size = *high - *low; size.x() > 0 && size.y() > 0) return Bounds{*low, *high};
-  problem(field.value.where, field.name + " has no area",
-          "the first point must lie below and left of the second");
-  return std::nullopt;
+  return refuse({field.value.where, field.name + " has no area",
+                 "the first point must lie below and left of the second"});
 }
 
 std::optional<std::string> Reader::string(const Field& field) {
   if (!is(field, Value::Kind::string, "a string")) return std::nullopt;
   if (field.value.text.size() <= kMaxStringBytes) return field.value.text;
-  problem(field.value.where,
-          fmt::format("{} is {} bytes long", field.name, field.value.text.size()),
-          fmt::format("strings end at {} bytes", kMaxStringBytes));
-  return std::nullopt;
+  return refuse({field.value.where,
+                 fmt::format("{} is {} bytes long", field.name, field.value.text.size()),
+                 fmt::format("strings end at {} bytes", kMaxStringBytes)});
 }
 
 std::optional<bool> Reader::flag(const Field& field) {

@@ -35,10 +35,14 @@ class Reader {
 
   void problem(const Place& where, std::string message, std::string hint = {});
   void warning(const Place& where, std::string message, std::string hint = {});
+  void add(Diagnostics more);
+  /// Notes a problem, and is the answer of who found it.
+  std::nullopt_t refuse(Diagnostic one);
   /// "film.size is a string, not two numbers", hint "write size = [w, h]".
   void mismatch(const Field& field, const char* expected);
-  /// Whether `field` is of a kind; a mismatch is reported.
+  /// Whether `field` is of a kind, or an array of two; a mismatch is reported.
   bool is(const Field& field, Value::Kind kind, const char* expected);
+  bool is_pair(const Field& field, const char* expected);
 
   /// Nearest double; warned of where an integer or a small number is lost, refused where not
   /// finite. A distribution is drawn.
@@ -78,13 +82,13 @@ class Reader {
       if (*text == name) return value;
       known.emplace_back(name);
     }
-    problems.push_back(unknown_word(field.value.where, field.name, *text, known));
-    return std::nullopt;
+    return refuse(unknown_word(field.value.where, field.name, *text, known));
   }
 
   /// As the member functions, chosen by the type wanted.
   std::optional<double> as(const Field& field, const double*) { return number(field); }
   std::optional<Vec2> as(const Field& field, const Vec2*) { return point(field); }
+  std::optional<Bounds> as(const Field& field, const Bounds*) { return box(field); }
   std::optional<bool> as(const Field& field, const bool*) { return flag(field); }
   std::optional<std::string> as(const Field& field, const std::string*) { return string(field); }
   std::optional<Colour> as(const Field& field, const Colour*) { return colour(field); }

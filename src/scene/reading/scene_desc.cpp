@@ -1,8 +1,8 @@
 #include "scene/reading/scene_desc.h"
 
 #include <algorithm>
+#include <iterator>
 
-#include "base/check.h"
 #include "base/number_text.h"
 
 namespace flatray {
@@ -28,21 +28,10 @@ bool has_curve(const Value& value) {
 }
 
 const char* kind_name(Value::Kind kind) {
-  switch (kind) {
-    case Value::Kind::boolean:
-      return "a truth value";
-    case Value::Kind::number:
-      return "a number";
-    case Value::Kind::string:
-      return "a string";
-    case Value::Kind::array:
-      return "an array";
-    case Value::Kind::table:
-      return "a table";
-    case Value::Kind::date:
-      return "a date";
-  }
-  unreachable();
+  static constexpr const char* kNames[] = {"a truth value", "a number", "a string",
+                                           "an array",      "a table",  "a date"};
+  static_assert(std::size(kNames) == static_cast<std::size_t>(Value::Kind::date) + 1);
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::string_view source_text(const Value& value) {

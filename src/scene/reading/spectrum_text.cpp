@@ -34,9 +34,7 @@ class SpectrumReader {
   }
 
  private:
-  Place place(std::string_view part) const {
-    return {source_, static_cast<std::size_t>(part.data() - source_->text().data()), part.size()};
-  }
+  Place place(std::string_view part) const { return place_in(source_, part); }
   Place whole() const { return {source_, 0, 1}; }
   void problem(std::string_view part, std::string message, const char* hint = kHint) {
     problems_.push_back({place(part), std::move(message), hint});
