@@ -6,6 +6,12 @@ namespace flatray {
 
 #include "experiments.inc"  // experiments()
 
+Measure within_rounding(std::string name, double value, std::optional<double> expected,
+                        double allowed) {
+  return expected_within(std::move(name), value, expected, allowed,
+                         expected ? fmt::format("rounding may take it {:.2g} off", allowed) : "");
+}
+
 ExperimentResult::File csv_file(const std::string& name, const Table& table) {
   return {name + ".csv", csv_text(table)};
 }

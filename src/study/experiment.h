@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -97,6 +96,10 @@ inline Measure expected_within(std::string name, double value, std::optional<dou
           .remark = std::move(remark)};
 }
 
+/// A number that is computed, and what rounding may take it off in its remark.
+Measure within_rounding(std::string name, double value, std::optional<double> expected,
+                        double allowed);
+
 /// Takes the error from a measure, and says why.
 inline void withhold_error(Measure& measure, std::string why) {
   measure.standard_error.reset();
@@ -123,6 +126,10 @@ ExperimentResult::File csv_file(const std::string& name, const Table& table);
 ExperimentResult::File json_file(const std::string& name, const Fields& fields);
 /// What the JSON of an experiment begins with: its name, its scene, what it was run with.
 Fields head_of(const std::string& experiment, const ExperimentContext& context);
+/// A failure by what an option says, or does not say.
+inline auto refused_option(const char* option, std::string message, std::string hint) {
+  return fail(named_place(option), std::move(message), std::move(hint), Trouble::usage);
+}
 /// How tables of a summary look.
 inline const TextStyle kBrief{.brief = true};
 /// The number, or what stands in a table where there is none.

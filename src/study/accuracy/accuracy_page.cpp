@@ -45,9 +45,6 @@ fast and as near. Points without any error are in the tables, not in the plots, 
 hold them in 95 % of all runs, of seconds the range of the rounds.</p>
 )";
 
-// The svg element alone, without the declaration of a file of its own.
-std::string inline_svg(const std::string& file) { return file.substr(file.find("<svg")); }
-
 // What links to the picture of a point, and names it.
 std::string picture_id(const ChoiceReport& report, const AccuracyPoint& point) {
   return fmt::format("{}-{}", report.name, &point - report.points.data() + 1);
@@ -106,9 +103,10 @@ std::string table(const ChoiceReport& report) {
          "</tbody>\n</table></div>\n";
 }
 
+// The svg element alone, without the declaration of a file of its own.
 std::string figure(const std::string& words, const std::string& file) {
   return fmt::format("<figure role=\"img\" aria-label=\"{}\">\n{}</figure>\n", svg_text(words),
-                     inline_svg(file));
+                     file.substr(file.find("<svg")));
 }
 
 std::string law(const FittedOrder& order, const std::string& grows) {

@@ -1,19 +1,12 @@
 #include "study/accuracy/linear_error.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "image/tile.h"
 
 namespace flatray {
 
-double rms_difference(const LinearImage& a, const LinearImage& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const double off = static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]);
-    sum += off * off;
-  }
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(a.pixels.size(), 1)));
+Result<std::shared_ptr<DrawnFrame>> frame_to_draw(const AccuracyContext& context) {
+  FLATRAY_TRY(list, middle_list(context));
+  return std::make_shared<DrawnFrame>(DrawnFrame{std::move(*list), context.threads});
 }
 
 Image developed(const LinearImage& light) {

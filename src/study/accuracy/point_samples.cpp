@@ -51,6 +51,13 @@ std::vector<float> light_of(DrawList list, unsigned threads) {
   return rgba;
 }
 
+// Of `count` samples in a row or column, each at `place` in its pixel, the first and last that are
+// from `low` to `high`, or within kNear.
+std::pair<int, int> samples_from(double low, double high, double place, int count) {
+  return {static_cast<int>(std::clamp(std::ceil(low - kNear - place), 0.0, 1.0 * count)),
+          static_cast<int>(std::clamp(std::floor(high + kNear - place), -1.0, count - 1.0))};
+}
+
 // Samples within kNear of a straight edge, row by row: of a sliver no place beside may tell.
 void mark_beside(const Segment& edge, const DrawList& list, const SamplePlace& place,
                  std::vector<bool>& near) {
@@ -60,20 +67,14 @@ void mark_beside(const Segment& edge, const DrawList& list, const SamplePlace& p
     return height == 0 ? edge.a.x()
                        : edge.a.x() + (y - edge.a.y()) / height * (edge.b - edge.a).x();
   };
-  const auto first = static_cast<int>(
-      std::clamp(std::ceil(top - kNear - place[1]), 0.0, static_cast<double>(list.height)));
-  const auto last =
-      static_cast<int>(std::clamp(std::floor(bottom + kNear - place[1]), -1.0, list.height - 1.0));
+  const auto [first, last] = samples_from(top, bottom, place[1], list.height);
   for (int row = first; row <= last; ++row) {
     const double y = row + place[1];
     double left = x_at(std::clamp(y - kNear, top, bottom));
     double right = x_at(std::clamp(y + kNear, top, bottom));
     if (top == bottom) right = edge.b.x();
     if (left > right) std::swap(left, right);
-    const auto begin = static_cast<int>(
-        std::clamp(std::ceil(left - kNear - place[0]), 0.0, static_cast<double>(list.width)));
-    const auto end =
-        static_cast<int>(std::clamp(std::floor(right + kNear - place[0]), -1.0, list.width - 1.0));
+    const auto [begin, end] = samples_from(left, right, place[0], list.width);
     for (int x = begin; x <= end; ++x)
       near[static_cast<std::size_t>(row) * static_cast<std::size_t>(list.width) +
            static_cast<std::size_t>(x)] = true;

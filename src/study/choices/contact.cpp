@@ -8,11 +8,9 @@ namespace {
 
 using Method = Result<std::vector<Meeting>> (*)(const Timeline& timeline, unsigned last_frame);
 
-Result<std::vector<Meeting>> exact(const Timeline& timeline, unsigned last_frame) {
-  return find_meetings(timeline, last_frame);
-}
-Result<std::vector<Meeting>> boxes(const Timeline& timeline, unsigned last_frame) {
-  return find_meetings(timeline, last_frame, Outline::box);
+template <Outline kOutline>
+Result<std::vector<Meeting>> meetings_of(const Timeline& timeline, unsigned last_frame) {
+  return find_meetings(timeline, last_frame, kOutline);
 }
 
 Setting setting(const std::shared_ptr<PairScene>& scene, const char* name, Method method) {
@@ -26,8 +24,8 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   ChoiceSettings made = pair_settings(**scene);
   made.laws = {};
   if (!refused_meetings(context.scene, Outline::box))
-    made.settings.push_back(setting(*scene, "boxes", &boxes));
-  made.settings.push_back(setting(*scene, "minkowski", &exact));
+    made.settings.push_back(setting(*scene, "boxes", &meetings_of<Outline::box>));
+  made.settings.push_back(setting(*scene, "minkowski", &meetings_of<Outline::own>));
   made.settings.push_back(setting(*scene, "edge-rays", &find_edge_ray_meetings));
   return made;
 }

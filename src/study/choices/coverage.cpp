@@ -1,14 +1,12 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <memory>
 
 #include "base/check.h"
 #include "base/entry_named.h"
 #include "base/processor_time.h"
 #include "image/compare.h"
 #include "render/backend.h"
-#include "study/accuracy/accuracy.h"
 #include "study/accuracy/linear_error.h"
 #include "study/accuracy/point_samples.h"
 
@@ -17,16 +15,10 @@ namespace {
 
 constexpr std::array kTruthSides = {16, 12, 8, 6, 4};  // of a grid of samples
 
-// A picture, and what the settings draw of it.
-struct Film {
-  DrawList list;
-  LinearImage truth, drawn;
-  unsigned threads = 1;
-};
-
-std::function<Outcome()> judged(const std::shared_ptr<Film>& film) {
+std::function<Outcome()> judged(const std::shared_ptr<DrawnFrame>& film) {
   return [film] {
-    Outcome outcome{rms_difference(film->drawn, film->truth), 0, developed(film->drawn)};
+    Outcome outcome{rms_difference(film->drawn.pixels, film->truth.pixels), 0,
+                    developed(film->drawn)};
     outcome.difference =
         difference_image(*outcome.picture, developed(film->truth), kDifferenceGain);
     return outcome;
@@ -41,7 +33,7 @@ std::vector<SamplePlace> grid(int side) {
 }
 
 // Each pixel by the mean of side * side samples on a grid.
-Setting samples(const std::shared_ptr<Film>& film, int side) {
+Setting samples(const std::shared_ptr<DrawnFrame>& film, int side) {
   const std::string words =
       side == 1 ? "pixel centres" : fmt::format("{} samples a pixel", side * side);
   return {words, static_cast<double>(side * side),
@@ -50,7 +42,7 @@ Setting samples(const std::shared_ptr<Film>& film, int side) {
 }
 
 // What GL makes of it, or why there is none.
-void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
+void add_gl(ChoiceSettings& made, const std::shared_ptr<DrawnFrame>& film) {
   const Backend* backend = entry_named(backends(), "gl");
   if (backend == nullptr) {
     made.missing.push_back({"--backend gl", "this build has none"});
@@ -59,10 +51,9 @@ void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
   for (const unsigned count : {4U, 16U}) {
     const std::string words = fmt::format("--backend gl --samples {}", count);
     auto opened = backend->open({film->threads, count});
-    const auto drawn = [&]() -> Result<void> {
-      if (!opened) return tl::unexpected(opened.error());
-      return (*opened)->draw(film->list, {std::nullopt, film->threads}, film->drawn);
-    }();
+    const Result<void> drawn = opened.and_then([&](const auto& gl) {
+      return gl->draw(film->list, {std::nullopt, film->threads}, film->drawn);
+    });
     if (!drawn) {
       made.missing.push_back({words, drawn.error().front().message});
       continue;
@@ -76,17 +67,17 @@ void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
   }
 }
 
-Setting rays(const std::shared_ptr<Film>& film, int rows) {
+Setting rays(const std::shared_ptr<DrawnFrame>& film, int rows) {
   const auto list = std::make_shared<DrawList>(film->list);
   list->coverage = Coverage::rows;
   list->rows = rows;
-  Setting made;
-  made.words = fmt::format("{} rays a row", rows);
-  made.work = [film, list] { film->drawn = render_linear(*list, {std::nullopt, film->threads}); };
-  made.judge = judged(film);
-  made.options = RenderOptions{{"define", "film.coverage=\"rows\""},
-                               {"define", fmt::format("film.rows={}", rows)}};
-  return made;
+  return {fmt::format("{} rays a row", rows), 0,
+          [film, list] {
+            film->drawn = render_linear(*list, {std::nullopt, film->threads});
+          },
+          judged(film),
+          RenderOptions{{"define", "film.coverage=\"rows\""},
+                        {"define", fmt::format("film.rows={}", rows)}}};
 }
 
 // The mean of side * side samples, as many as there is time for; doubt is by how much a coarser
@@ -96,15 +87,15 @@ struct Truth {
   double doubt;
 };
 int coarser(int side) { return side / 2 - 1; }
-Truth find_truth(Film& film, double seconds) {
+Truth find_truth(DrawnFrame& film, double seconds) {
   const double start = processor_seconds();
   film.truth = mean_light(film.list, grid(1), film.threads);
   const double one = std::max(processor_seconds() - start, 1e-6);
   const auto* side = kTruthSides.begin();
   while (side + 1 != kTruthSides.end() && 1.25 * *side * *side * one > seconds) ++side;
   film.truth = mean_light(film.list, grid(*side), film.threads);
-  return {*side,
-          rms_difference(film.truth, mean_light(film.list, grid(coarser(*side)), film.threads))};
+  const LinearImage rough = mean_light(film.list, grid(coarser(*side)), film.threads);
+  return {*side, rms_difference(film.truth.pixels, rough.pixels)};
 }
 
 std::string left_out(const Scene& scene) {
@@ -112,10 +103,8 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  FLATRAY_TRY(list, middle_list(context));
-  const auto film = std::make_shared<Film>();
-  film->list = std::move(*list);
-  film->threads = context.threads;
+  FLATRAY_TRY(frame, frame_to_draw(context));
+  const std::shared_ptr<DrawnFrame>& film = *frame;
   const auto [side, doubt] = find_truth(*film, reference_budget(context));
   ChoiceSettings made;
   made.unit = "root mean square of linear light, 1 is white";

@@ -1,21 +1,12 @@
 #include <fmt/core.h>
 
-#include <memory>
-
 #include "render/frame.h"
-#include "study/accuracy/accuracy.h"
 #include "study/accuracy/linear_error.h"
 
 namespace flatray::flattening_choice {
 namespace {
 
 constexpr double kTruthSagitta = 0x1p-18, kDoubtSagitta = 0x1p-16;  // px
-
-struct Curves {
-  DrawList list;
-  LinearImage truth, drawn;
-  unsigned threads = 1;
-};
 
 // The chords of a closed path, as edges; reversed where they bound a hole.
 void add_chords(const ArcPath& path, double sagitta, bool hole, FillPath& out) {
@@ -53,14 +44,14 @@ Flattened in_chords(const DrawList& list, double sagitta) {
   return made;
 }
 
-LinearImage drawn(const Curves& curves, const DrawList& list) {
+LinearImage drawn(const DrawnFrame& curves, const DrawList& list) {
   return render_linear(list, {std::nullopt, curves.threads});
 }
 
 // Of chords all but nothing is rounded, of curves nothing else is.
-std::function<Outcome()> judged(const std::shared_ptr<Curves>& curves, bool chords) {
+std::function<Outcome()> judged(const std::shared_ptr<DrawnFrame>& curves, bool chords) {
   return [curves, chords] {
-    const double error = rms_difference(curves->drawn, curves->truth);
+    const double error = rms_difference(curves->drawn.pixels, curves->truth.pixels);
     Outcome outcome{error, 0, developed(curves->drawn)};
     outcome.parts[static_cast<std::size_t>(ErrorKind::discretisation)] = chords ? error : 0;
     if (!chords) outcome.parts[static_cast<std::size_t>(ErrorKind::rounding)] = error;
@@ -68,7 +59,7 @@ std::function<Outcome()> judged(const std::shared_ptr<Curves>& curves, bool chor
   };
 }
 
-Setting chords(const std::shared_ptr<Curves>& curves, int part) {
+Setting chords(const std::shared_ptr<DrawnFrame>& curves, int part) {
   const double sagitta = 1.0 / part;
   const std::size_t count = in_chords(curves->list, sagitta).chords;
   return {
@@ -84,16 +75,14 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  FLATRAY_TRY(list, middle_list(context));
-  const auto curves = std::make_shared<Curves>();
-  curves->list = std::move(*list);
-  curves->threads = context.threads;
+  FLATRAY_TRY(frame, frame_to_draw(context));
+  const std::shared_ptr<DrawnFrame>& curves = *frame;
   if (in_chords(curves->list, 1).chords == 0)
     return fail(context.scene.where,
                 fmt::format("frame {} shows no curve", middle_frame(context.scene)));
   curves->truth = drawn(*curves, in_chords(curves->list, kTruthSagitta).list);
-  const double doubt =
-      rms_difference(curves->truth, drawn(*curves, in_chords(curves->list, kDoubtSagitta).list));
+  const LinearImage rough = drawn(*curves, in_chords(curves->list, kDoubtSagitta).list);
+  const double doubt = rms_difference(curves->truth.pixels, rough.pixels);
   ChoiceSettings made;
   made.unit = "root mean square of linear light, 1 is white";
   made.reference = fmt::format(

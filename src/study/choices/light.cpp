@@ -11,7 +11,7 @@
 #include "render/light/light_picture.h"
 #include "render/light/light_run.h"
 #include "scene/lamp.h"
-#include "study/accuracy/accuracy.h"
+#include "study/accuracy/linear_error.h"
 #include "study/rooms/pixel_map.h"
 #include "study/statistics/estimate.h"
 
@@ -54,18 +54,12 @@ double mean(const Fluence& light) {
   return std::accumulate(light.begin(), light.end(), 0.0) / static_cast<double>(light.size());
 }
 
-double rms(const Fluence& a, const Fluence& b) {
-  double squares = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(squares / static_cast<double>(a.size()));
-}
-
 // Root mean square over the pictures; its doubt by how they differ.
 Outcome judge(const Lit& lit) {
   const double scale = 1 / mean(lit.truth);
   double squares = 0, sum = 0;
   for (const Fluence& one : lit.found) {
-    const double error = scale * rms(one, lit.truth);
+    const double error = scale * rms_difference(one, lit.truth);
     squares += error * error, sum += error;
   }
   const double variance = std::max(squares - sum * sum / kSeeds, 0.0) / (kSeeds - 1);
@@ -98,7 +92,10 @@ Truth find_truth(Lit& lit, double seconds) {
   for (const Fluence& one : pictures)
     for (std::size_t i = 0; i < one.size(); ++i) lit.truth[i] += one[i] / count;
   double squares = 0;
-  for (const Fluence& one : pictures) squares += rms(one, lit.truth) * rms(one, lit.truth);
+  for (const Fluence& one : pictures) {
+    const double off = rms_difference(one, lit.truth);
+    squares += off * off;
+  }
   return {pictures.size(), std::sqrt(squares / (count * (count - 1))) / mean(lit.truth)};
 }
 
@@ -122,7 +119,7 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  const unsigned frame = (context.scene.frames + 1) / 2;
+  const unsigned frame = middle_frame(context.scene);
   const auto lit =
       std::make_shared<Lit>(Lit{context.scene,
                                 at(Timeline(context.scene, context.seed, frame), frame),

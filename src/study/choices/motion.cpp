@@ -34,17 +34,14 @@ Setting instants(const std::shared_ptr<PairScene>& scene, int samples) {
           [=] { scene->found = sampled(*scene, samples); }, judged_pairs(scene)};
 }
 
-Setting continuous(const std::shared_ptr<PairScene>& scene) {
-  return {"all instants", 0,
-          [scene] { scene->tell(*find_meetings(scene->timeline, scene->frames())); },
-          judged_pairs(scene)};
-}
-
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   FLATRAY_TRY(scene, pair_scene(context));
   ChoiceSettings made = pair_settings(**scene);
   made.grows = "instants a frame";
-  made.settings.push_back(continuous(*scene));
+  made.settings.push_back(
+      {"all instants", 0,
+       [all = *scene] { all->tell(*find_meetings(all->timeline, all->frames())); },
+       judged_pairs(*scene)});
   for (int samples = 1; samples <= 64; samples *= 2)
     made.settings.push_back(instants(*scene, samples));
   return made;

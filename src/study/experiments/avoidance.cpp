@@ -123,13 +123,13 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto movers = expect_movers(context.scene); !movers) return fail(std::move(movers));
   const Choices choices(context);
   const Film& film = context.scene.film;
-  const auto rows = run_blocks(context, static_cast<std::size_t>(film.height), [&](std::size_t y) {
+  const auto first_times = [&](std::size_t y) {
     Numbers row;
     for (int x = 0; x < film.width; ++x)
       row.push_back(choices.first_time(choices.velocity(x, static_cast<int>(y))));
     return row;
-  });
-  if (!rows) return tl::unexpected(rows.error());
+  };
+  FLATRAY_TRY(rows, run_blocks(context, static_cast<std::size_t>(film.height), first_times));
   Numbers times;
   for (const Numbers& row : *rows) times.insert(times.end(), row.begin(), row.end());
   return results(context, choices, times);

@@ -138,9 +138,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     const auto truth = round ? std::optional(one[0]) : std::nullopt;
     const auto add = [&](const char* what, double value, std::optional<double> expected,
                          double allowed) {
-      measures.push_back(
-          expected_within(watched->names[i] + what, value, expected, allowed,
-                          expected ? fmt::format("rounding may take it {:.2g} off", allowed) : ""));
+      measures.push_back(within_rounding(watched->names[i] + what, value, expected, allowed));
     };
     add(": nearest line to the middle", one[1], truth, rounding);
     add(": farthest line", one[2], truth, rounding);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/parallel.h"
 #include "base/portable_math.h"
@@ -31,9 +30,9 @@ Result<Trio> trace(const Room& room, const Ray& start, std::uint64_t bounces, do
   const Vec2 along = unit(start.direction);
   const Ray moved{start.origin + apart * Vec2(-along.y(), along.x()), start.direction};
   if (moved.origin == start.origin)
-    return fail(named_place("--apart"),
-                fmt::format("{:.17g} is less than doubles tell at the start", apart),
-                "say a larger one, as 1e-9", Trouble::usage);
+    return refused_option("--apart",
+                          fmt::format("{:.17g} is less than doubles tell at the start", apart),
+                          "say a larger one, as 1e-9");
   const CertifiedRules rules{room.materials()};
   FLATRAY_TRY(exact, certified_orbit(room.walls(), start, bounces, rules));
   FLATRAY_TRY(beside, certified_orbit(room.walls(), moved, bounces, rules));
@@ -42,25 +41,20 @@ Result<Trio> trace(const Room& room, const Ray& start, std::uint64_t bounces, do
 }
 
 // Off the wall that a random orbit starts on, so that its neighbour is not beyond it.
-class FirstPoint : public OrbitSink {
- public:
-  explicit FirstPoint(const Vec2& start) : point_(start) {}
-  void bounce(std::size_t, const Bounce& bounce) override { meet(bounce.point); }
-  void cross(std::size_t, const Vec2& from, const Vec2&, const CellIndex&) override { meet(from); }
-  const Vec2& point() const { return point_; }
-
- private:
-  void meet(const Vec2& point) {
-    if (!std::exchange(met_, true)) point_ = point;
+struct FirstPoint : OrbitSink {
+  void bounce(std::size_t, const Bounce& bounce) override { point = point.value_or(bounce.point); }
+  void cross(std::size_t, const Vec2& from, const Vec2&, const CellIndex&) override {
+    point = point.value_or(from);
   }
-  Vec2 point_;
-  bool met_ = false;
+
+  std::optional<Vec2> point;
 };
 
 Ray half_way(const Room& room, const OrbitStart& start) {
-  FirstPoint first(start.ray.origin);
+  FirstPoint first;
   room.orbits().follow(std::span(&start, 1), 1, first);
-  return {0.5 * start.ray.origin + 0.5 * first.point(), start.ray.direction};
+  const Vec2& origin = start.ray.origin;
+  return {0.5 * origin + 0.5 * first.point.value_or(origin), start.ray.direction};
 }
 
 class Study {

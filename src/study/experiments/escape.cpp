@@ -198,8 +198,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const bool holes = !holes_of(room).empty();
   if (!holes && context.starts == Starts::quasi)
-    return fail(named_place("--starts"), "without holes starts are drawn in the picture",
-                "say --starts conditional, or leave --starts out", Trouble::usage);
+    return refused_option("--starts", "without holes starts are drawn in the picture",
+                          "say --starts conditional, or leave --starts out");
   const Film& film = context.scene.film;
   const std::uint64_t bounces = context.bounces.value_or(kBounces), count = pixel_count(film);
   const PlaceStarts places(context, room, PixelMap::angle);

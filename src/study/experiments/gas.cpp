@@ -177,18 +177,14 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const double time = done.events.back().time;
   const Units units = units_of(*bodies, done);
   const double before = energy(*bodies, done, units, true);
-  const auto known = [](std::string name, double value, double allowed) {
-    return expected_within(
-        std::move(name), value, 0, allowed,
-        allowed > 0 ? fmt::format("rounding may take it {:.2g} off", allowed) : "");
-  };
   std::vector<Measure> measures = {
-      known("energy_off", energy(*bodies, done, units, false) / before - 1,
-            kEnergyByEvent * static_cast<double>(done.events.size())),
-      known("deepest_overlap",
-            deepest(*bodies, done, time) / largest_coordinate(*bodies, done, time), kOverlap)};
+      within_rounding("energy_off", energy(*bodies, done, units, false) / before - 1, 0,
+                      kEnergyByEvent * static_cast<double>(done.events.size())),
+      within_rounding("deepest_overlap",
+                      deepest(*bodies, done, time) / largest_coordinate(*bodies, done, time), 0,
+                      kOverlap)};
   if (time > 0) measures.push_back(rate(done.events));
-  measures.push_back(known("jammed", done.jammed ? 1.0 : 0.0, 0));
+  measures.push_back(expected_within("jammed", done.jammed ? 1.0 : 0.0, 0, 0));
   return measured(
       context, "gas",
       fmt::format("{} of {} in {:.6g} s{}{}; fingerprint of all {}",

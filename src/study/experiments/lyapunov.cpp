@@ -38,6 +38,7 @@ struct GrowthSums {
   std::vector<StartSums> sums;
   FlightTail tail{};
 
+  RatioSums of(Sum which) const { return sums[which].all(); }
   SumList list() {
     SumList all;
     tail.append_to(all);
@@ -56,10 +57,10 @@ class Growth : public OrbitSink {
     const double bend = curvature(room_.walls(), bounce.surface, bounce.point, bounce.normal);
     if (field_ == 0) {
       state.tangent.fly(bounce.t / extent_);
-      if (bounce.is_refracted())
-        refract(state.tangent, bounce, bend * extent_);
-      else
+      if (!bounce.is_refracted())
         state.tangent.reflect(bend == 0 ? 0 : 2 * bend * extent_ / cosine(bounce));
+      else if (const auto met = refraction(room_.index_ratio(bounce), cosine(bounce)))
+        state.tangent.refract(*met, bend * extent_);
     } else {
       state.tangent.fly(bounce.t / extent_, field_ * extent_);
       state.tangent.reflect(bend_in_field(bounce, bend, field_) * extent_);
@@ -77,7 +78,7 @@ class Growth : public OrbitSink {
 
   // Once all are followed.
   void add_to(GrowthSums& all) const {
-    std::vector<StartSums>& sums = all.sums;
+    auto& [sums, tail] = all;
     std::vector<double> longest;
     for (std::size_t i = 0; i < states_.size(); ++i) {
       const State& state = states_[i];
@@ -91,7 +92,7 @@ class Growth : public OrbitSink {
       sums[of_power].add(begin_ + i, state.half, 1);
       sums[of_regular].add(begin_ + i, state.half < kMostRegular ? 1 : 0, 1);
     }
-    all.tail.add(longest, 4 * quarter_);
+    tail.add(longest, 4 * quarter_);
   }
 
  private:
@@ -105,21 +106,11 @@ class Growth : public OrbitSink {
     double grown = 0, length = 0, curved = 0, longest = 0;
     double second_quarter = 0, half = 0;  // growth in that quarter, in the second half
   };
-  void refract(Tangent& tangent, const Bounce& bounce, double bend) const {
-    if (const auto met = refraction(room_.index_ratio(bounce), cosine(bounce)))
-      tangent.refract(*met, bend);
-  }
   const Room& room_;
   double field_ = room_.scene().field(), extent_ = bounds_of(room_.walls()).size().maxCoeff();
   std::uint64_t begin_;    // the number of the first
   std::uint64_t quarter_;  // of the bounces
   std::vector<State> states_;
-};
-
-// All blocks together.
-struct Grown {
-  FlightTail tail;
-  std::vector<RatioSums> sums{};
 };
 
 // How neighbours part.
@@ -162,24 +153,25 @@ void add_spectrum(std::vector<Measure>& measures, double largest) {
         remarked(fmt::format("spectrum_{}", i + 2), others[i].first, others[i].second));
 }
 
-std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, double power) {
+std::vector<Measure> exponents(const Room& room, const GrowthSums& grown, Law law, double power) {
   const std::array names = {"per_length", "per_hit", "per_curved_hit"};
   std::vector<Measure> measures;
   if (law == Law::straight)
     for (const char* name : {"per_length", "per_hit"})
       measures.push_back(remarked(name, 0, "all walls are straight"));
-  for (std::size_t i = of_length; i <= of_curved; ++i) {
-    if (!(grown.sums[i].y > 0)) continue;
-    Measure one = grown.sums[i].measure(names[i]);
+  const RatioSums hits = grown.of(of_hits);
+  for (const Sum which : {of_length, of_hits, of_curved}) {
+    const RatioSums sums = grown.of(which);
+    if (!(sums.y > 0)) continue;
+    Measure one = sums.measure(names[which]);
     if (law != Law::exponential) {
       one.name.insert(0, "finite_time_");
       one.remark = law == Law::undecided ? "no error: may have no limit but 0"
                                          : "no error: falls to 0 with time";
-    } else if (i == of_length) {
+    } else if (which == of_length) {
       withhold_error_of_flights(one, room, grown.tail);
     }
-    if (law == Law::exponential &&
-        grown.sums[of_hits].x < kLeastGrowth * grown.sums[of_hits].samples)
+    if (law == Law::exponential && hits.x < kLeastGrowth * hits.samples)
       one.remark =
           "no error: neighbours part less than e^10 times along an orbit; say more --bounces";
     if (!one.remark.empty()) one.standard_error.reset();
@@ -189,9 +181,9 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
     measures.push_back(remarked("power_of_growth", power, "of time, in the later half"));
     return measures;
   }
-  if (grown.sums[of_length].y > 0) add_spectrum(measures, grown.sums[of_length].ratio());
-  const RatioSums& regular = grown.sums[of_regular];
-  if (!(regular.x > 0 && grown.sums[of_power].ratio() > kTold * kMostRegular)) return measures;
+  const RatioSums by_length = grown.of(of_length), regular = grown.of(of_regular);
+  if (by_length.y > 0) add_spectrum(measures, by_length.ratio());
+  if (!(regular.x > 0 && grown.of(of_power).ratio() > kTold * kMostRegular)) return measures;
   for (Measure& one : measures)
     one.remark += (one.remark.empty() ? "" : "; ") + std::string("mean over both kinds of orbits");
   measures.push_back(regular.share("part_like_a_power", "share of the orbits"));
@@ -203,12 +195,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   FLATRAY_TRY(plan, plan_orbits(context, kBounces + kSettling));
   if (plan->bounces < 2 * kSettling)
-    return fail(named_place("--bounces"),
-                "too few for an exponent: " + counted(plan->bounces, "bounce") + " an orbit",
-                fmt::format("say --bounces {} or more, of which the first {} do not count, and "
-                            "--count of several times as many",
-                            2 * kSettling, kSettling),
-                Trouble::usage);
+    return refused_option(
+        "--bounces", "too few for an exponent: " + counted(plan->bounces, "bounce") + " an orbit",
+        fmt::format("say --bounces {} or more, of which the first {} do not count, and "
+                    "--count of several times as many",
+                    2 * kSettling, kSettling));
   GrowthSums all{std::vector<StartSums>(kSums, StartSums(context.starts))};
   FLATRAY_TRY(ran, sum_blocks(context, Blocks::of(plan->orbits), all,
                               [&](std::uint64_t begin, std::uint64_t end, GrowthSums& some) {
@@ -216,14 +207,12 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                                 follow_drawn(context, room, begin, end, plan->bounces, growth);
                                 growth.add_to(some);
                               }));
-  Grown grown{all.tail};
-  for (const StartSums& one : all.sums) grown.sums.push_back(one.all());
-  const Law law = law_of(room, grown.sums[of_doubling]);
-  const double power = grown.sums[of_power].ratio() / portable::log(2);
+  const Law law = law_of(room, all.of(of_doubling));
+  const double power = all.of(of_power).ratio() / portable::log(2);
   return measured(context, "lyapunov",
                   fmt::format("Lyapunov exponent, {:.0f} bounces of {} orbits: {}",
-                              grown.sums[of_hits].y, plan->orbits, words(law, power)),
-                  exponents(room, grown, law, power), audit(context, room, *plan));
+                              all.of(of_hits).y, plan->orbits, words(law, power)),
+                  exponents(room, all, law, power), audit(context, room, *plan));
 }
 
 }  // namespace

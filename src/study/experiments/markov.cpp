@@ -188,8 +188,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (context.scene.chains.empty())
     return fail(place, "has no Markov chain", "give it a table [markov.NAME]");
   if (context.count < 1 || context.count > kMostSteps)
-    return fail(named_place("--count"), fmt::format("{} walks cannot be made", context.count),
-                "say 1 to 4294967296", Trouble::usage);
+    return refused_option("--count", fmt::format("{} walks cannot be made", context.count),
+                          "say 1 to 4294967296");
   for (const MarkovChain& chain : context.scene.chains)
     if (chain.rows.size() > kMostStates)
       return fail(place, fmt::format("chain {} has {} states", chain.name, chain.rows.size()),

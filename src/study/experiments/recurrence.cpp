@@ -1,7 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "base/portable_math.h"
 #include "base/table.h"
 #include "study/rooms/exits.h"
@@ -113,32 +111,22 @@ class Returns {
 };
 
 // On the holes, uniform in their length.
-class Entries {
- public:
-  explicit Entries(const Room& room) : room_(room), holes_(holes_of(room)) {
-    for (const std::uint32_t hole : holes_)
-      before_.push_back(before_.back() + room.places().length(hole));
-  }
-  OrbitStart operator()(std::uint64_t seed, std::uint64_t number) const {
-    const double along = before_.back() * drawn_place(seed, number).x;
-    const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
-    // Another number, so that the place on the hole is another draw.
-    return room_.draw_entry(holes_[static_cast<std::size_t>(above - before_.begin() - 1)], seed,
-                            number + (std::uint64_t{1} << 48));
-  }
-
- private:
-  const Room& room_;
-  std::vector<std::uint32_t> holes_;
-  std::vector<double> before_{0};
-};
+OrbitStart draw_on(const Room& room, std::span<const std::uint32_t> holes, std::uint64_t seed,
+                   std::uint64_t number) {
+  const double along = length_of(room, holes) * drawn_unit(seed, number, 0);
+  std::size_t hole = 0;
+  double end = room.places().length(holes[hole]);
+  while (hole + 1 < holes.size() && end <= along) end += room.places().length(holes[++hole]);
+  // Another number, so that the place on the hole is another draw.
+  return room.draw_entry(holes[hole], seed, number + (std::uint64_t{1} << 48));
+}
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto holes = expect_holes(context); !holes) return fail(std::move(holes));
   const Room room(context.scene);
-  const Entries entries(room);
+  const std::vector<std::uint32_t> holes = holes_of(room);
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
-  const auto start = [&](std::uint64_t i) { return entries(context.seed, i); };
+  const auto start = [&](std::uint64_t i) { return draw_on(room, holes, context.seed, i); };
   FLATRAY_TRY(orbits, trace_outcomes(context, room, bounces, context.count, 0, start));
   return Returns(context, room, *orbits)
       .result(audit(context, room, audited_starts(context, context.count, start), bounces));

@@ -16,16 +16,12 @@ constexpr std::uint64_t kPixelBounces = 200, kRayBounces = 1'000'000;
 constexpr std::uint64_t kWedgeBounces = std::uint64_t{1} << 30;
 constexpr LinearRgb kSolid{0.02, 0.03, 0.08};
 
-class Counts : public OrbitSink {
- public:
-  void bounce(std::size_t, const Bounce&) override { ++count_; }
-  void end(std::size_t, const OrbitStop& stop) override { goes_on_ = stop.end == OrbitEnd::limit; }
-  double count() const { return count_; }
-  bool goes_on() const { return goes_on_; }
+struct Counts : OrbitSink {
+  void bounce(std::size_t, const Bounce&) override { ++count; }
+  void end(std::size_t, const OrbitStop& stop) override { goes_on = stop.end == OrbitEnd::limit; }
 
- private:
-  double count_ = 0;
-  bool goes_on_ = false;
+  double count = 0;
+  bool goes_on = false;
 };
 
 // A row for each ray of the scene, with the closed form where its walls are a wedge.
@@ -37,8 +33,8 @@ std::vector<Measure> ray_counts(const ExperimentContext& context, const Room& ro
     Counts counts;
     room.orbits().follow(std::span(&orbits.starts[i], 1),
                          context.bounces.value_or(known ? kWedgeBounces : kRayBounces), counts);
-    measures.push_back({orbits.names[i] + (counts.goes_on() ? " (at least)" : ""), counts.count()});
-    if (!known || counts.goes_on()) continue;
+    measures.push_back({orbits.names[i] + (counts.goes_on ? " (at least)" : ""), counts.count});
+    if (!known || counts.goes_on) continue;
     measures.back().expected = static_cast<double>(*known);
     measures.back().allowed = 0;
   }

@@ -76,61 +76,46 @@ Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room
   const SplittingPlan plan{context.count / (kGroups * levels), levels, step, levels / 3,
                            context.apart};
   if (levels < 4 || levels > kMostLevels)
-    return fail(named_place("--bounces"), fmt::format("{} levels of {} bounces", levels, step),
-                fmt::format("ask for {} to {} bounces", 4 * step, kMostLevels * step),
-                Trouble::usage);
+    return refused_option("--bounces", fmt::format("{} levels of {} bounces", levels, step),
+                          fmt::format("ask for {} to {} bounces", 4 * step, kMostLevels * step));
   if (plan.orbits < kLeastOrbits)
-    return fail(named_place("--count"),
-                fmt::format("{} orbits a group at each of {} levels", plan.orbits, levels),
-                fmt::format("say --count {} or more", kLeastOrbits * kGroups * levels),
-                Trouble::usage);
+    return refused_option(
+        "--count", fmt::format("{} orbits a group at each of {} levels", plan.orbits, levels),
+        fmt::format("say --count {} or more", kLeastOrbits * kGroups * levels));
   return plan;
 }
 
-// Sums of e^(rate way) over what is left at the two levels, weighted; where they are alike is the
+// By sums of e^(rate way) over what is left at the two levels, weighted; where they are alike is the
 // rate.
-class ByLength {
- public:
-  ByLength(const std::vector<SplitGroup>& groups, std::uint64_t first_level)
-      : groups_(groups), first_level_(first_level) {
-    for (const SplitGroup& one : groups)
-      for (const double way : one.last) longest_ = std::max(longest_, way);
-  }
-
-  Measure measure() const {
-    Measure found{"escape_rate_per_length",
-                  rate_of_zero([this](double rate) { return sum(rate); }, longest_)};
-    constexpr double kStep = 0x1p-20;
-    const double slope = (sum(found.value * (1 + kStep)) - sum(found.value * (1 - kStep))) /
-                         (2 * kStep * found.value);
-    RatioSums sums;
-    for (const SplitGroup& one : groups_) sums.add(of(one, found.value), 1);
-    found.standard_error = sums.standard_error() * sums.samples / std::fabs(slope);
-    found.freedom = sums.samples - 1;
-    found.widening = sums.widening();
-    return found;
-  }
-
- private:
-  double weight(const std::vector<double>& ways, double share, double rate) const {
+Measure rate_by_length(const std::vector<SplitGroup>& groups, std::uint64_t first_level) {
+  double longest = 0;
+  for (const SplitGroup& one : groups)
+    for (const double way : one.last) longest = std::max(longest, way);
+  const auto weight = [&](const std::vector<double>& ways, double share, double rate) {
     double sum = 0;
-    for (const double way : ways) sum += portable::exp(rate * (way - longest_));
+    for (const double way : ways) sum += portable::exp(rate * (way - longest));
     return ways.empty() ? 0 : share * sum / static_cast<double>(ways.size());
-  }
-  double of(const SplitGroup& one, double rate) const {
+  };
+  const auto difference = [&](const SplitGroup& one, double rate) {
     return weight(one.last, one.share.back(), rate) -
-           weight(one.first, one.share[first_level_], rate);
-  }
-  double sum(double rate) const {
+           weight(one.first, one.share[first_level], rate);
+  };
+  const auto sum = [&](double rate) {
     double all = 0;
-    for (const SplitGroup& one : groups_) all += of(one, rate);
+    for (const SplitGroup& one : groups) all += difference(one, rate);
     return all;
-  }
-
-  const std::vector<SplitGroup>& groups_;
-  std::uint64_t first_level_;
-  double longest_ = 0;
-};
+  };
+  Measure found{"escape_rate_per_length", rate_of_zero(sum, longest)};
+  constexpr double kStep = 0x1p-20;
+  const double slope =
+      (sum(found.value * (1 + kStep)) - sum(found.value * (1 - kStep))) / (2 * kStep * found.value);
+  RatioSums sums;
+  for (const SplitGroup& one : groups) sums.add(difference(one, found.value), 1);
+  found.standard_error = sums.standard_error() * sums.samples / std::fabs(slope);
+  found.freedom = sums.samples - 1;
+  found.widening = sums.widening();
+  return found;
+}
 
 class Report {
  public:
@@ -193,10 +178,6 @@ class Report {
     };
     return not_turned(of(near_), of(far_));
   }
-  Measure rate_per_length() const {
-    return not_turned(ByLength(near_, plan_.first).measure(),
-                      ByLength(far_, plan_.first).measure());
-  }
 
   // The two halves of the levels agree, and not as well with a power of the bounces.
   bool is_exponential() const {
@@ -233,7 +214,8 @@ class Report {
     if (left.value > 0) {
       const std::size_t last = plan_.levels - 1;
       Measure by_bounce = rate(plan_.first, last);
-      Measure by_length = rate_per_length();
+      Measure by_length =
+          not_turned(rate_by_length(near_, plan_.first), rate_by_length(far_, plan_.first));
       const bool exponential = is_exponential();
       for (Measure* one : {&by_bounce, &by_length}) {
         one->remark = fmt::format("from bounce {} to {}", (plan_.first + 1) * plan_.bounces,

@@ -189,6 +189,8 @@ Measure power_of_displacement(const Transport& all) {
 
 std::vector<Measure> measures_of(const Transport& all, Growth growth,
                                  const std::string& unbounded) {
+  const std::size_t last = all.times.lags - 1;
+  const double half = all.times.lag(last / 2), end = all.times.lag(last);
   std::vector<Measure> measures;
   if (growth == Growth::linear || growth == Growth::undecided) {
     const std::string why = growth == Growth::undecided ? unbounded
@@ -203,10 +205,8 @@ std::vector<Measure> measures_of(const Transport& all, Growth growth,
       Measure& one = measures.emplace_back(all.asked[which].measure(name));
       one.remark = !why.empty() ? why
                    : which == green_kubo
-                       ? fmt::format("cut at t = {:.4g}", all.times.lag((all.times.lags - 1) / 2))
-                       : fmt::format("slope from t = {:.4g} to {:.4g}",
-                                     all.times.lag((all.times.lags - 1) / 2),
-                                     all.times.lag(all.times.lags - 1));
+                       ? fmt::format("cut at t = {:.4g}", half)
+                       : fmt::format("slope from t = {:.4g} to {:.4g}", half, end);
       if (!why.empty()) one.standard_error.reset();
     }
   } else if (growth == Growth::unknown) {
@@ -217,7 +217,7 @@ std::vector<Measure> measures_of(const Transport& all, Growth growth,
         slope,
         fmt::format(
             "no error: D(t) grows like log t, of which this is the slope from t = {:.4g} to {:.4g}",
-            all.times.lag((all.times.lags - 1) / 8), all.times.lag(all.times.lags - 1)));
+            all.times.lag(last / 8), end));
   }
   measures.push_back(
       remarked("sines_off_even", all.sines.chi_squared_of_even() / 63,
@@ -235,15 +235,16 @@ std::string words(Growth growth, const std::string& unbounded) {
   return growth == Growth::logarithmic ? "it grows like t log t, " + none : none;
 }
 
-Plot curve(const Transport& all, std::size_t which, std::string title, std::string label) {
-  Plot plot{std::move(title),
-            "time, world units at speed 1",
-            std::move(label),
-            {{"mean over orbits and times", {}}}};
-  for (std::size_t i = 0; i < all.times.lags; ++i)
-    plot.series[0].points.push_back(all.lags.point(which, i, all.times.lag(i)));
-  return plot;
-}
+// What LagSums::point() has.
+struct Curve {
+  const char *file, *title, *label;
+};
+constexpr Curve kCurves[] = {
+    {"transport_displacement", "Mean square displacement",
+     "<(r(t) - r(0))^2>, world units squared"},
+    {"transport_velocity", "Velocity autocorrelation", "<v(0) v(t)>, at speed 1"},
+    {"transport_green_kubo", "Green-Kubo integral of the velocity autocorrelation",
+     "D(t), world units at speed 1"}};
 
 void add_files(ExperimentResult& result, const Transport& all, const ExperimentContext& context) {
   Table table({"time", "mean_square_displacement", "its_half_interval", "velocity_correlation",
@@ -259,15 +260,13 @@ void add_files(ExperimentResult& result, const Transport& all, const ExperimentC
   result.files.push_back(csv_file("transport_lags", table));
   all.flights.add_files(result, "transport_flights", "lengths of flights, world units");
   all.sines.add_files(result, "transport_sines", "sines of the incidence");
-  add_plot(result, "transport_displacement",
-           curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>, world units squared"),
-           context.threads);
-  add_plot(result, "transport_velocity",
-           curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>, at speed 1"), context.threads);
-  add_plot(result, "transport_green_kubo",
-           curve(all, 2, "Green-Kubo integral of the velocity autocorrelation",
-                 "D(t), world units at speed 1"),
-           context.threads);
+  for (std::size_t which = 0; which < std::size(kCurves); ++which) {
+    const auto& [file, title, label] = kCurves[which];
+    Plot plot{title, "time, world units at speed 1", label, {{"mean over orbits and times", {}}}};
+    for (std::size_t i = 0; i < all.times.lags; ++i)
+      plot.series[0].points.push_back(all.lags.point(which, i, all.times.lag(i)));
+    add_plot(result, file, plot, context.threads);
+  }
 }
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
@@ -283,10 +282,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                 "give it an outline larger than its pillars");
   FLATRAY_TRY(plan, plan_orbits(context, kBounces));
   if (plan->bounces < kFewestBounces)
-    return fail(
-        named_place("--bounces"), "too few to see how an orbit goes on",
-        fmt::format("say --bounces {} or more, and --count of many times as many", kFewestBounces),
-        Trouble::usage);
+    return refused_option(
+        "--bounces", "too few to see how an orbit goes on",
+        fmt::format("say --bounces {} or more, and --count of many times as many", kFewestBounces));
   const double mean_flight = kPi * area / room.perimeter();
   Transport all{LagTimes::of(mean_flight, plan->bounces), mean_flight};
   FLATRAY_TRY(ran, sum_blocks(context, Blocks::of(plan->orbits), all,
@@ -309,12 +307,12 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                         : all.tail.index() == 0              ? Growth::undecided
                         : room.walls().curve_numbers.empty() ? Growth::unknown
                                                              : Growth::logarithmic;
-  ExperimentResult result =
-      measured(context, "transport",
-               fmt::format("{} of {} orbits over t = {:.4g} at speed 1, mean flight {:.6g}: {}",
-                           "Diffusion", plan->orbits, all.times.lag(all.times.samples - 1),
-                           mean_flight, words(growth, unbounded)),
-               measures_of(all, growth, unbounded));
+  ExperimentResult result = measured(
+      context, "transport",
+      fmt::format("Diffusion of {} orbits over t = {:.4g} at speed 1, mean flight {:.6g}: {}",
+                  plan->orbits, all.times.lag(all.times.samples - 1), mean_flight,
+                  words(growth, unbounded)),
+      measures_of(all, growth, unbounded));
   add_files(result, all, context);
   return result;
 }

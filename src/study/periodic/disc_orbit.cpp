@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "study/periodic/closed_orbits.h"
 

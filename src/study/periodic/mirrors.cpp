@@ -13,13 +13,9 @@ Pair<Near> form_of(const Ellipse& curve, const Pair<Near>& w) {
 
 Proof between_ends(const Near& part) { return is_positive(part) & is_positive(Near(1) - part); }
 
-Pair<Near> part_way(const Chord& chord, const Near& part) {
-  return chord.from + part * (chord.to - chord.from);
-}
-
-Proof is_met(const Segment& wall, bool stands_on, const Chord& chord) {
+Proof is_met(const Segment& wall, bool from_it, bool to_it, const Chord& chord) {
   const Pair<Near> a = near(wall.a), b = near(wall.b), along = b - a, way = chord.to - chord.from;
-  if (stands_on) return Proof::no;  // the bounce there has been found to turn away from it
+  if (from_it || to_it) return Proof::no;  // the bounce there has been found to turn away from it
   const auto differ = [](const Near& one, const Near& other) {
     return (is_positive(one) & is_positive(-other)) | (is_positive(-one) & is_positive(other));
   };
@@ -30,7 +26,7 @@ Proof is_met(const Segment& wall, bool stands_on, const Chord& chord) {
 Proof is_met_at(const Arc& wall, const Chord& chord, const Near& part) {
   const Proof within = between_ends(part);
   if (within == Proof::no) return within;
-  return within & lies_on(wall, part_way(chord, part));
+  return within & lies_on(wall, chord.from + part * (chord.to - chord.from));
 }
 
 // The chord meets the curve where a t^2 + 2 b t + c = 0; where it stands on it one root is known.
@@ -53,9 +49,6 @@ Proof is_met(const Arc& wall, bool from_it, bool to_it, const Chord& chord) {
 }
 
 Proof is_met(const Bezier&, bool, bool, const Chord&) { return Proof::open; }
-Proof is_met(const Segment& wall, bool from_it, bool to_it, const Chord& chord) {
-  return is_met(wall, from_it || to_it, chord);
-}
 
 }  // namespace
 

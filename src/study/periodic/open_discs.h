@@ -1,18 +1,12 @@
 #pragma once
 #include <string>
 
-#include "base/portable_math.h"
 #include "study/periodic/numbered_words.h"
 
 namespace flatray {
 
 /// Angles in radians, and parts of lengths: far more than what they lose by rounding.
 inline constexpr double kRough = 1e-12;
-
-/// By how much one direction is turned from another, from -pi to pi.
-inline double turn_between(const Vec2& from, const Vec2& to) {
-  return portable::atan2(cross(from, to), from.dot(to));
-}
 
 /// The part of a disc on which a bounce is: within so many radians of a direction from the centre,
 /// near length 1.

@@ -1,6 +1,4 @@
 #pragma once
-#include <cmath>
-#include <optional>
 #include <vector>
 
 #include "study/periodic/mirrors.h"

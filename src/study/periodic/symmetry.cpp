@@ -80,53 +80,21 @@ Word closed_by(const Word& part, const Symmetry& by) {
   return whole;
 }
 
-class ReducedWords {
- public:
-  ReducedWords(const std::vector<Symmetry>& all, std::size_t mirrors, std::size_t symbols)
-      : all_(all), mirrors_(mirrors), symbols_(symbols) {}
-
-  std::optional<std::vector<ReducedWord>> find() {
-    extend();
-    if (on_axis_) return std::nullopt;
-    return std::move(found_);
+// Words of so many letters, none of which follows itself, ascending.
+std::vector<Word> words_of(std::size_t letters, std::size_t length) {
+  std::vector<Word> all(1);  // that without letters
+  for (std::size_t n = 0; n < length; ++n) {
+    std::vector<Word> longer;
+    for (const Word& part : all)
+      for (std::size_t one = 0; one < letters; ++one) {
+        if (!part.empty() && part.back() == one) continue;
+        longer.push_back(part);
+        longer.back().push_back(static_cast<std::uint8_t>(one));
+      }
+    all = std::move(longer);
   }
-
- private:
-  void extend() {
-    if (part_.size() == symbols_) {
-      for (const Symmetry& by : all_)
-        if (by.to[part_.front()] != part_.back()) close(by);
-      return;
-    }
-    for (std::size_t one = 0; one < mirrors_; ++one) {
-      if (!part_.empty() && part_.back() == one) continue;
-      part_.push_back(static_cast<std::uint8_t>(one));
-      extend();
-      part_.pop_back();
-    }
-  }
-
-  void close(const Symmetry& by) {
-    const Word whole = closed_by(part_, by);
-    Word least = least_turn(whole);
-    for (const Symmetry& other : all_) {
-      const Word image = taken(whole, other);
-      least = std::min(least, least_turn(image));
-      on_axis_ = on_axis_ || (&other != &all_.front() && image == whole);
-      for (std::size_t k = 1; k < symbols_; ++k)
-        if (turned_by(whole, k) == image) return;  // it repeats a shorter one
-    }
-    if (seen_.insert(std::move(least)).second)
-      found_.push_back({whole, symbols_, whole.size() / symbols_, by.turned});
-  }
-
-  const std::vector<Symmetry>& all_;
-  std::size_t mirrors_, symbols_;
-  Word part_{};
-  bool on_axis_ = false;
-  std::set<Word> seen_{};
-  std::vector<ReducedWord> found_{};
-};
+  return all;
+}
 
 }  // namespace
 
@@ -183,7 +151,24 @@ std::size_t words_alike(const Word& word, const std::vector<Symmetry>& all) {
 
 std::optional<std::vector<ReducedWord>> reduced_words(const std::vector<Symmetry>& all,
                                                       std::size_t mirrors, std::size_t symbols) {
-  return ReducedWords(all, mirrors, symbols).find();
+  std::set<Word> seen;
+  std::vector<ReducedWord> found;
+  for (const Word& part : words_of(mirrors, symbols))
+    for (const Symmetry& by : all) {
+      if (by.to[part.front()] == part.back()) continue;
+      const Word whole = closed_by(part, by);
+      Word least = least_turn(whole);
+      bool repeats = false;  // a shorter one
+      for (auto other = all.begin(); other != all.end() && !repeats; ++other) {
+        const Word image = taken(whole, *other);
+        least = std::min(least, least_turn(image));
+        if (other != all.begin() && image == whole) return std::nullopt;
+        for (std::size_t k = 1; k < symbols; ++k) repeats = repeats || turned_by(whole, k) == image;
+      }
+      if (!repeats && seen.insert(std::move(least)).second)
+        found.push_back({whole, symbols, whole.size() / symbols, by.turned});
+    }
+  return found;
 }
 
 }  // namespace flatray

@@ -77,10 +77,10 @@ Result<std::vector<ClosedOrbit>> orbits_by_word(const ExperimentContext& context
   for (std::size_t n = 1; n <= length; ++n) {
     auto some = words(room.mirrors, n, kMostWords - all.size());
     if (!some)
-      return fail(named_place("--symbols"),
-                  fmt::format("{} mirrors have more than {} words of up to {}", room.mirrors.size(),
-                              kMostWords, counted(length, "wall")),
-                  fmt::format("say --symbols {}", n - 1), Trouble::usage);
+      return refused_option("--symbols",
+                            fmt::format("{} mirrors have more than {} words of up to {}",
+                                        room.mirrors.size(), kMostWords, counted(length, "wall")),
+                            fmt::format("say --symbols {}", n - 1));
     all.insert(all.end(), some->begin(), some->end());
   }
   std::vector<std::vector<ClosedOrbit>> found(all.size());

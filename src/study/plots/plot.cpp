@@ -303,7 +303,6 @@ class PlotDrawing {
     Vec2 at = name_at_ + Vec2(28, 0);
     out_.marks.push_back(Drawing::Words{at, words});
     name_at_.x() += width;
-    has_names_ = true;
     return at;
   }
   void name(const Plot::Series& series, const std::string& ink, std::size_t number) {
@@ -333,7 +332,8 @@ class PlotDrawing {
   }
 
   void below() {
-    const double y = has_names_ ? name_at_.y() + 1.2 * kLine : name_at_.y();
+    const bool has_names = name_at_.x() > kRight;
+    const double y = has_names ? name_at_.y() + 1.2 * kLine : name_at_.y();
     const Vec2 end = write({{kRight, y}, ""}, lines_of(plot_.caption, out_.size.x() - 2 * kRight));
     out_.size.y() = std::round(end.y());
   }
@@ -347,7 +347,6 @@ class PlotDrawing {
   Vec2 low_{0, 0}, high_{0, 0};  // upper left and lower right corner of the axes
   Vec2 name_at_{0, 0};           // of the next entry of the legend
   double legend_end_ = 0;
-  bool has_names_ = false;
   Drawing out_;
 };
 

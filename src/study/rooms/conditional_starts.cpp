@@ -82,10 +82,10 @@ Result<ConditionalStarts> ConditionalStarts::draw(const ExperimentContext& conte
   pilot.monitor = &monitor;
   const std::uint64_t orbits = (context.count + kShifts - 1) / kShifts;
   if (orbits < kLeastOrbits)
-    return fail(
-        named_place("--count"),
+    return refused_option(
+        "--count",
         fmt::format("conditional starts in {} groups of {}", kShifts, counted(orbits, "orbit")),
-        fmt::format("say --count {} or more", kShifts * kLeastOrbits), Trouble::usage);
+        fmt::format("say --count {} or more", kShifts * kLeastOrbits));
   FLATRAY_TRY(natural, natural_survival(pilot, room, bounces));
   ConditionalStarts found;
   found.memory_ = *late_start(*natural);
@@ -105,8 +105,8 @@ Result<ConditionalStarts> ConditionalStarts::draw(const ExperimentContext& conte
   });
   for (const auto& group : found.groups_)
     if (group.empty())
-      return fail(named_place("--count"), "a group of conditional starts died out",
-                  "say a larger --count", Trouble::usage);
+      return refused_option("--count", "a group of conditional starts died out",
+                            "say a larger --count");
   return found;
 }
 

@@ -1,7 +1,5 @@
 #include "study/rooms/followed.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 

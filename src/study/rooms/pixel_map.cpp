@@ -24,9 +24,9 @@ class Outcomes : public OrbitSink {
     starts_.push_back(*start);
     numbers_.push_back(pixels_.size() - 1);
   }
-  template <class Follow>
-  void append_to(Numbers& all, const Follow& follow) {
-    follow(starts_, *this);
+  const std::vector<OrbitStart>& starts() const { return starts_; }
+  // Once all are followed.
+  void append_to(Numbers& all) const {
     for (const PixelOutcome& pixel : pixels_)
       all.insert(all.end(), {static_cast<double>(pixel.kind), static_cast<double>(pixel.bounces),
                              static_cast<double>(pixel.surface), pixel.length, pixel.out.x(),
@@ -129,13 +129,10 @@ Result<std::vector<PixelOutcome>> trace_outcomes(
       if (one) one->chance = chance_of_orbit(context.seed, i);
       (i < exact ? first : others).add(one);
     }
+    room.orbits().follow(first.starts(), bounces, first);
+    follow_starts(context, room, others.starts(), bounces, others);
     Numbers all;
-    first.append_to(all, [&](const auto& starts, OrbitSink& sink) {
-      room.orbits().follow(starts, bounces, sink);
-    });
-    others.append_to(all, [&](const auto& starts, OrbitSink& sink) {
-      follow_starts(context, room, starts, bounces, sink);
-    });
+    for (const Outcomes* some : {&first, &others}) some->append_to(all);
     return all;
   });
   if (!found) return tl::unexpected(found.error());

@@ -17,6 +17,14 @@
 #include "transport/reflection.h"
 
 namespace flatray {
+
+DepartedSurface departed_by(const Surfaces& walls, const Bounce& bounce) {
+  return walls.visit(bounce.surface, [&](const auto& wall) -> DepartedSurface {
+    const bool out = bounce.normal.dot(normal_near(wall, bounce.point)) > 0;
+    return {bounce.surface, root_departed(wall, out ? Sign::positive : Sign::negative)};
+  });
+}
+
 std::optional<Vec2> in_front_of(const Surfaces& walls, std::uint32_t surface, Sign side,
                                 const Vec2& place) {
   return nearest_double(place, [&](const Vec2& point) {
@@ -55,8 +63,7 @@ std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
 }
 
 bool Room::has_start(const Vec2& point) const {
-  if (!ExactOrigins(walls()).walls_at(point).empty()) return true;
-  return is_free(point);
+  return !ExactOrigins(walls()).walls_at(point).empty() || is_free(point);
 }
 
 bool Room::is_free(const Vec2& point) const {
@@ -146,14 +153,6 @@ OrbitStart Room::draw_start_in(const Stretch& all, std::uint64_t seed, std::uint
         walls().visit(surface, [&](const auto& wall) { return root_departed(wall, side); });
     return {{*origin, direction}, {surface, root}, chance_of(seed, number)};
   }
-}
-
-DepartedSurface Room::departed_by(const Bounce& bounce) const {
-  const Vec2 positive = wall_normal(walls(), bounce.surface, bounce.point);
-  const Sign side = bounce.normal.dot(positive) < 0 ? Sign::negative : Sign::positive;
-  return walls().visit(bounce.surface, [&](const auto& wall) {
-    return DepartedSurface{bounce.surface, root_departed(wall, side)};
-  });
 }
 
 OrbitStart Room::draw_free_start(std::uint64_t seed, std::uint64_t number) const {
@@ -251,18 +250,18 @@ Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t us
   const std::uint64_t few = (context.count + kUsualOrbits - 1) / kUsualOrbits;
   const std::uint64_t bounces = context.bounces.value_or(std::min(usual_bounces, few));
   if (bounces == 0)
-    return fail(named_place("--bounces"), "an orbit without bounces measures nothing",
-                "say 1 or more", Trouble::usage);
+    return refused_option("--bounces", "an orbit without bounces measures nothing",
+                          "say 1 or more");
   if (context.count <= bounces)
-    return fail(named_place("--count"), "one orbit alone has no error",
-                fmt::format("say more than the {} of an orbit", bounces), Trouble::usage);
+    return refused_option("--count", "one orbit alone has no error",
+                          fmt::format("say more than the {} of an orbit", bounces));
   const OrbitPlan plan{(context.count + bounces - 1) / bounces, bounces};
   if (context.starts == Starts::quasi && plan.orbits < 2 * kShifts)
-    return fail(named_place("--count"),
-                fmt::format("quasi-random starts in {} shifts need more than {}", kShifts,
-                            counted(plan.orbits, "orbit")),
-                fmt::format("say --count {} or more, or fewer --bounces", 2 * kShifts * bounces),
-                Trouble::usage);
+    return refused_option(
+        "--count",
+        fmt::format("quasi-random starts in {} shifts need more than {}", kShifts,
+                    counted(plan.orbits, "orbit")),
+        fmt::format("say --count {} or more, or fewer --bounces", 2 * kShifts * bounces));
   return plan;
 }
 

@@ -52,8 +52,6 @@ class Room {
   OrbitStart draw_entry(std::uint32_t hole, std::uint64_t seed, std::uint64_t number) const {
     return draw_start_in({before_[hole], before_[hole + 1]}, seed, number, Starts::random);
   }
-  /// What has just left a wall by a bounce.
-  DepartedSurface departed_by(const Bounce& bounce) const;
   /// The side of a wall on which orbits are (geom/primitives/wall.h); nullopt: both.
   std::optional<Sign> inner_side(std::uint32_t surface) const;
   /// A start in the free part of a closed chamber, uniform in place and direction: the measure that
@@ -88,6 +86,8 @@ class Room {
   std::unique_ptr<FastOrbits> fast_;
 };
 
+/// What has just left a wall by a bounce.
+DepartedSurface departed_by(const Surfaces& walls, const Bounce& bounce);
 /// The place nearest to one near a wall that does not lie behind it, seen from a side; nullopt
 /// where doubles have none nearby.
 std::optional<Vec2> in_front_of(const Surfaces& walls, std::uint32_t surface, Sign side,

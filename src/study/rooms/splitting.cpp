@@ -85,7 +85,7 @@ void Population::advance() {
   std::vector<Walker> left;
   for (std::size_t i = 0; i < last.size(); ++i)
     if (last[i])
-      left.push_back({{{last[i]->point, last[i]->out}, room_.departed_by(*last[i])},
+      left.push_back({{{last[i]->point, last[i]->out}, departed_by(room_.walls(), *last[i])},
                       walkers_[i].way + last[i]->path_length,
                       walkers_[i].ancestor});
   walkers_ = std::move(left);

@@ -148,18 +148,6 @@ struct Weighted {
   double at(double rate) const { return excess * portable::exp(rate * length - decay); }
 };
 
-double root(std::span<const Weighted> terms) {
-  double longest = 0;
-  for (const Weighted& one : terms) longest = std::max(longest, one.length);
-  return rate_of_zero(
-      [&](double rate) {
-        double total = 0;
-        for (const Weighted& one : terms) total += one.at(rate);
-        return total;
-      },
-      longest);
-}
-
 Measure by_length(std::span<const LeavingOrbit> orbits, double start, double rate, double limit,
                   Starts starts) {
   // Some few that stay much longer, on long ways, would weigh as much as all others.
@@ -177,7 +165,14 @@ Measure by_length(std::span<const LeavingOrbit> orbits, double start, double rat
     if (const LeavingOrbit& one = orbits[i]; counts(one))
       terms.push_back({i % samples, one.length - shortest, rate * (one.bounces - start),
                        one.bounces - start - mean});
-  Measure measure{"escape_rate_per_length", root(terms)};
+  double longest = 0;
+  for (const Weighted& one : terms) longest = std::max(longest, one.length);
+  const auto total = [&](double at) {
+    double sum = 0;
+    for (const Weighted& one : terms) sum += one.at(at);
+    return sum;
+  };
+  Measure measure{"escape_rate_per_length", rate_of_zero(total, longest)};
   std::vector<double> parts(samples);
   double squares = 0, slope = 0;
   for (const Weighted& one : terms) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "base/portable_math.h"
 #include "trace/surfaces.h"
 
 namespace flatray {
@@ -26,6 +27,10 @@ class WallPlaces {
   std::vector<std::vector<double>> lengths_;  // by surface: up to equal parts of it, or all of it
 };
 
+/// By how much one direction is turned counter-clockwise from another, from -pi to pi.
+inline double turn_between(const Vec2& from, const Vec2& to) {
+  return portable::atan2(cross(from, to), from.dot(to));
+}
 /// A vector of length 1 along one.
 inline Vec2 direction_of(const Vec2& v) { return v / v.norm(); }
 

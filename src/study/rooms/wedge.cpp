@@ -3,15 +3,10 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "geom/vec.h"
+#include "study/rooms/wall_places.h"
 
 namespace flatray {
 namespace {
-
-// Angle from one direction counter-clockwise to another, in (-pi, pi].
-double angle_between(const Vec2& from, const Vec2& to) {
-  return portable::atan2(cross(from, to), from.dot(to));
-}
 
 // The walls as they leave their common point.
 struct Wedge {
@@ -43,15 +38,15 @@ double farthest_crossing(const Wedge& wedge, const Ray& ray, double turn, double
 std::optional<std::uint64_t> wedge_reflections(const Surfaces& walls, const Ray& ray) {
   auto wedge = wedge_of(walls);
   if (!wedge) return std::nullopt;
-  double alpha = angle_between(wedge->first, wedge->second);
+  double alpha = turn_between(wedge->first, wedge->second);
   if (alpha < 0) {
     std::swap(wedge->first, wedge->second);
     alpha = -alpha;
   }
   const Vec2 from = ray.origin - wedge->tip;
-  const double here = angle_between(wedge->first, from);
+  const double here = turn_between(wedge->first, from);
   if (!(alpha > 0 && here >= 0 && here <= alpha)) return std::nullopt;
-  const double ahead = angle_between(from, ray.direction);
+  const double ahead = turn_between(from, ray.direction);
   const double turn = std::fabs(ahead), first = ahead >= 0 ? alpha - here : here;
   const double count = std::ceil((turn + alpha - first) / alpha) - 1;
   const double last = first + (count - 1) * alpha;

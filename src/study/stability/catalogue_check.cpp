@@ -104,17 +104,13 @@ double CatalogueTally::most_ulps() const {
 }
 
 void CatalogueTally::add(const CatalogueTally& other) {
-  queries += other.queries;
-  wrong += other.wrong;
-  leaks += other.leaks;
-  apart += other.apart;
+  using Tally = CatalogueTally;
+  for (const auto count : {&Tally::queries, &Tally::wrong, &Tally::leaks, &Tally::apart,
+                           &Tally::in_batches, &Tally::one_by_one, &Tally::objects, &Tally::bytes})
+    this->*count += other.*count;
+  seconds += other.seconds;
   ulps.insert(ulps.end(), other.ulps.begin(), other.ulps.end());
   std::ranges::sort(ulps);
-  in_batches += other.in_batches;
-  one_by_one += other.one_by_one;
-  seconds += other.seconds;
-  objects += other.objects;
-  bytes += other.bytes;
 }
 
 std::vector<CatalogueTally> check_case(const oracle::StiffCase& stiff,

@@ -6,9 +6,9 @@
 #include "geom/predicates.h"
 #include "oracle/nearest.h"
 #include "precise/certified_orbit.h"
+#include "study/rooms/room.h"
 #include "study/stability/ulps.h"
 #include "trace/many_rays.h"
-#include "transport/orbit.h"
 
 namespace flatray {
 namespace {
@@ -84,14 +84,6 @@ bool is_same(const Orbit& a, const Orbit& b) {
   };
   return a.end == b.end &&
          std::equal(a.bounces.begin(), a.bounces.end(), b.bounces.begin(), b.bounces.end(), same);
-}
-
-// On the inner side of a curve the root by which a ray would enter is the one just left.
-DepartedSurface departed_by(const Surfaces& walls, const Bounce& bounce) {
-  return walls.visit(bounce.surface, [&](const auto& wall) -> DepartedSurface {
-    const bool out = bounce.normal.dot(normal_near(wall, bounce.point)) > 0;
-    return {bounce.surface, root_departed(wall, out ? Sign::positive : Sign::negative)};
-  });
 }
 
 // What flies from each bounce of some orbits, and the bounce it came to.

@@ -44,16 +44,14 @@ class MarginMeasure {
   Margin nearest(std::string ray, std::uint64_t number, const Leg& leg) const {
     Margin best{std::move(ray), number, "", {0, 0}, kInfinity, kInfinity};
     const Surfaces& walls = world_.surfaces;
-    const auto see = [&](std::uint32_t wall, const Vec2& at, double distance) {
-      if (distance >= best.distance) return;
-      best.distance = distance;
-      best.wall = name_of(wall);
-      best.at = at;
-    };
     for (std::uint32_t i = 0; i < walls.size(); ++i) {
-      walls.visit(i, [&](const auto& wall) {
-        see_wall(wall, leg, [&](const Vec2& at, double distance) { see(i, at, distance); });
-      });
+      const auto see = [&](const Vec2& at, double distance) {
+        if (distance >= best.distance) return;
+        best.distance = distance;
+        best.wall = name_of(i);
+        best.at = at;
+      };
+      walls.visit(i, [&](const auto& wall) { see_wall(wall, leg, see); });
     }
     best.ulps = best.distance / (largest_ * 0x1p-52);
     return best;

@@ -53,13 +53,11 @@ void check_while(StabilityTally& tally, const oracle::StraightPair& pair, const 
   const auto apart = [&](double at) { return oracle::apart_at(pair.a(), pair.b(), Rational(at)); };
   const double in = std::nextafter(met.t_enter, kInfinity),
                out = std::nextafter(met.t_exit, -kInfinity);
-  const bool lasts = in <= out;
-  if (met.t_enter != 0 && (apart(std::nextafter(met.t_enter, -kInfinity)) == Sign::negative ||
-                           (lasts && apart(in) == Sign::positive)))
-    ++tally.off_by_more;
-  if (std::isfinite(met.t_exit) &&
-      (apart(std::nextafter(met.t_exit, kInfinity)) == Sign::negative ||
-       (lasts && apart(out) == Sign::positive)))
+  const auto is_off = [&](double outside, double inside) {
+    return apart(outside) == Sign::negative || (in <= out && apart(inside) == Sign::positive);
+  };
+  if (met.t_enter != 0 && is_off(std::nextafter(met.t_enter, -kInfinity), in)) ++tally.off_by_more;
+  if (std::isfinite(met.t_exit) && is_off(std::nextafter(met.t_exit, kInfinity), out))
     ++tally.off_by_more;
 }
 

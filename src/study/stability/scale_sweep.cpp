@@ -65,8 +65,8 @@ bool right_wall(const NearestHit& hit, const oracle::NearestWall& truth) {
 
 // Needs   the right wall.
 bool right_hit(const NearestHit& hit, const oracle::NearestWall& truth) {
-  const double t = std::min(truth.t, std::numeric_limits<double>::max());
-  return !hit || (hit.kind == truth.kind && hit.at_end == truth.at_end && is_within_ulp(hit.t, t));
+  return !hit || (hit.kind == truth.kind && hit.at_end == truth.at_end &&
+                  is_within_ulp(hit.t, as_double(truth.t)));
 }
 
 }  // namespace

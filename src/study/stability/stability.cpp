@@ -18,9 +18,6 @@ bool agrees(const NearestHit& hit, const oracle::NearestWall& truth) {
          hit.root == truth.root;
 }
 
-// The double that stands for a time beyond the doubles.
-double as_double(double t) { return std::min(t, std::numeric_limits<double>::max()); }
-
 void count_ulps(double ulps, StabilityTally& tally) {
   constexpr double kMostCounted = 0x1p63;  // of what a whole number holds
   tally.worst_ulps = std::max(tally.worst_ulps,

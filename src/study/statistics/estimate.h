@@ -1,6 +1,4 @@
 #pragma once
-#include <span>
-
 #include "study/statistics/blocks.h"
 
 namespace flatray {

@@ -53,8 +53,8 @@ TEST(LinearError, IsTheRootOfTheMeanSquare) {
   LinearImage a, b;
   a.pixels = {0, 0, 0, 0, 0, 0};
   b.pixels = {3, 0, 0, 0, -3, 0};
-  EXPECT_DOUBLE_EQ(rms_difference(a, b), std::sqrt(3.0));
-  EXPECT_EQ(rms_difference(b, b), 0);
+  EXPECT_DOUBLE_EQ(rms_difference(a.pixels, b.pixels), std::sqrt(3.0));
+  EXPECT_EQ(rms_difference(b.pixels, b.pixels), 0);
 }
 
 // A ray ends at the wall it meets: it comes no nearer to what is behind than that wall does.
