@@ -195,10 +195,7 @@ CertifiedOrbit certify(const Surfaces& walls, const Ray& start, std::uint64_t bo
   Orbit at_start = trace_orbit(walls, materials, start, 0);
   if (at_start.end != OrbitEnd::limit) {
     CertifiedOrbit stays;
-    stays.end = at_start.end;
-    stays.out = at_start.out;
-    stays.end_point = at_start.end_point;
-    stays.end_surfaces = std::move(at_start.end_surfaces);
+    static_cast<OrbitStop&>(stays) = std::move(at_start);
     return stays;
   }
   std::uint64_t work = rules.most_work.value_or(work_for(rules.most_bits));

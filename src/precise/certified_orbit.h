@@ -6,8 +6,8 @@
 
 namespace flatray {
 
-/// An orbit of which every bounce is proven.
-struct CertifiedOrbit {
+/// An orbit of which every bounce is proven; its end is told in nearest doubles, `out` of an escape alone.
+struct CertifiedOrbit : OrbitStop {
   /// Of exact numbers the nearest doubles.
   struct Bounce {
     std::uint32_t surface;
@@ -18,12 +18,8 @@ struct CertifiedOrbit {
     CellIndex cell{};
   };
   std::vector<Bounce> bounces;
-  OrbitEnd end = OrbitEnd::limit;
-  bool decided = true;   ///< false: proven so far, and `bits` were not enough for what comes next
-  Vec2 out{0, 0};        ///< unit direction of an escape, nearest doubles
-  Vec2 end_point{0, 0};  ///< where it is absorbed or stops in a corner, the same
-  std::vector<std::uint32_t> end_surfaces;  ///< the absorbing surface; the walls of the corner
-  std::vector<Crossing> crossings;          ///< of periodic walls, nearest doubles
+  bool decided = true;  ///< false: proven so far, and `bits` were not enough for what comes next
+  std::vector<Crossing> crossings;  ///< of periodic walls
   unsigned bits = 0;      ///< of the longest number: of working precision, or of one without error
   bool rational = false;  ///< what balls left open is told by numbers without error
 };

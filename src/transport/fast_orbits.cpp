@@ -66,20 +66,6 @@ void put_form(double* record, const Ellipse& curve) {
   record[Record::kFormYy] = u.x() / area;
 }
 
-// The first thing that one orbit does.
-class FirstDeed : public OrbitSink {
- public:
-  void bounce(std::size_t, const Bounce& bounce) override { bounced = bounce; }
-  void cross(std::size_t, const Vec2& from, const Vec2& to, const CellIndex& step) override {
-    crossings.push_back({0, from, to, step});
-  }
-  void end(std::size_t, const OrbitStop& stop) override { stopped = stop; }
-
-  std::optional<Bounce> bounced;
-  std::vector<Crossing> crossings;
-  OrbitStop stopped;
-};
-
 // Arrays of lanes.
 using Lanes = std::array<double, kWave>;
 struct RayLanes {
@@ -198,15 +184,14 @@ class FastOrbits::Wave {
   bool fly_exactly(const RayLanes& from, RayLanes& to, std::size_t i, bool unsure) {
     Progress& orbit = progress_[i];
     ++counts_.exact;
-    FirstDeed deed;
     const OrbitStart start{{from.point(i), from.direction(i)}, departed_of(from.departed[i])};
-    orbits_.exact_.follow(std::span(&start, 1), 1, deed);
-    for (const Crossing& one : deed.crossings) {
+    Orbit done = std::move(trace_orbits(orbits_.exact_, std::span(&start, 1), 1).front());
+    for (const Crossing& one : done.crossings) {
       sink_.cross(orbit.number, one.from, one.to, one.step);
       orbit.cell += one.step;
     }
-    if (!deed.bounced) return stop(orbit, deed.stopped);
-    Bounce& met = *deed.bounced;
+    if (done.bounces.empty()) return stop(orbit, done);
+    Bounce& met = done.bounces.front();
     met.t = orbit.before + met.path_length;
     met.path_length = orbit.length + met.t;
     met.in = from.direction(i);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/check.h"
 #include "base/portable_math.h"
 #include "transport/orbit_tracer.h"
 #include "transport/reflection.h"
@@ -28,11 +27,7 @@ class OrbitKeeper : public OrbitSink {
     orbit.crossings.push_back({orbit.bounces.size(), from, to, step});
   }
   void end(std::size_t number, const OrbitStop& stop) override {
-    Orbit& orbit = orbits_[number];
-    orbit.end = stop.end;
-    orbit.out = stop.out;
-    orbit.end_point = stop.point;
-    orbit.end_surfaces = stop.surfaces;
+    static_cast<OrbitStop&>(orbits_[number]) = stop;
   }
   std::vector<Orbit> orbits() && { return std::move(orbits_); }
 
@@ -55,31 +50,16 @@ void add_flight(std::vector<OrbitLine>& lines, double field, const Ray& flight, 
 }  // namespace
 
 const char* name(OrbitEnd end) {
-  switch (end) {
-    case OrbitEnd::limit:
-      return "limit";
-    case OrbitEnd::escape:
-      return "escape";
-    case OrbitEnd::absorbed:
-      return "absorbed";
-    case OrbitEnd::corner:
-      return "corner";
-    case OrbitEnd::along:
-      return "along";
-    case OrbitEnd::cyclotron:
-      return "cyclotron";
-  }
-  unreachable();
+  constexpr const char* kNames[] = {"limit", "escape", "absorbed", "corner", "along", "cyclotron"};
+  return kNames[static_cast<std::size_t>(end)];
 }
 
 std::vector<std::uint32_t> taken_by(std::span<const Material> materials,
                                     std::span<const std::uint32_t> walls) {
-  const auto is = [&](Material material) {
-    return [&materials, material](std::uint32_t wall) { return materials[wall] == material; };
-  };
-  const auto hole = std::find_if(walls.begin(), walls.end(), is(Material::hole));
+  const auto material = [&](std::uint32_t wall) { return materials[wall]; };
+  const auto hole = std::ranges::find(walls, Material::hole, material);
   if (hole != walls.end()) return {*hole};
-  if (!std::all_of(walls.begin(), walls.end(), is(Material::absorb))) return {};
+  if (std::ranges::count(walls, Material::absorb, material) != std::ssize(walls)) return {};
   return {walls.begin(), walls.end()};
 }
 

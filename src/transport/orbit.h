@@ -58,14 +58,18 @@ struct Crossing {
   CellIndex step;       ///< from the cell left to that entered
 };
 
-struct Orbit {
-  Vec2 start, direction;
-  std::vector<Bounce> bounces;
+/// How an orbit came to an end.
+struct OrbitStop {
   OrbitEnd end = OrbitEnd::limit;
   Vec2 out{0, 0};        ///< unit direction after the last bounce
-  Vec2 end_point{0, 0};  ///< where it was absorbed or met the corner
+  Vec2 end_point{0, 0};  ///< where it was absorbed or met the corner, or last bounced
   std::vector<std::uint32_t>
-      end_surfaces;                   ///< the absorbing surface or hole; the walls of the corner
+      end_surfaces{};  ///< the absorbing surface or hole; the walls of the corner
+};
+
+struct Orbit : OrbitStop {
+  Vec2 start{0, 0}, direction{0, 0};
+  std::vector<Bounce> bounces{};
   std::vector<Crossing> crossings{};  ///< in order
   double field = 0;                   ///< as OrbitRules has it
 };

@@ -18,14 +18,6 @@ struct OrbitStart {
   std::uint64_t chance = 0;
 };
 
-/// How an orbit came to an end.
-struct OrbitStop {
-  OrbitEnd end = OrbitEnd::limit;
-  Vec2 out{0, 0};    ///< unit direction after the last bounce
-  Vec2 point{0, 0};  ///< where it was absorbed or met the corner, or last bounced
-  std::vector<std::uint32_t> surfaces{};  ///< the absorbing surface; the walls of the corner
-};
-
 /// Sees orbits as they are made, so that long ones need no memory.
 class OrbitSink {
  public:

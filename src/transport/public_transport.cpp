@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "flatray/transport.h"
@@ -14,38 +16,6 @@ Bounce bounce_of(const flatray::Bounce& bounce) {
   return {bounce.surface,    bounce.point.x(),  bounce.point.y(), bounce.t,      bounce.path_length,
           bounce.normal.x(), bounce.normal.y(), bounce.out.x(),   bounce.out.y()};
 }
-
-// Keeps what the caller gets. Orbits are advanced side by side, so that each has bounces of its own
-// until all have ended.
-class Keeper : public OrbitSink {
- public:
-  explicit Keeper(std::size_t count) : orbits_(count), bounces_(count) {}
-  void bounce(std::size_t number, const flatray::Bounce& bounce) override {
-    bounces_[number].push_back(bounce_of(bounce));
-  }
-  void end(std::size_t number, const OrbitStop& stop) override {
-    orbits_[number] = {0,
-                       0,
-                       static_cast<OrbitEnd>(stop.end),
-                       stop.point.x(),
-                       stop.point.y(),
-                       stop.out.x(),
-                       stop.out.y()};
-  }
-  void give(std::vector<Orbit>& orbits, std::vector<Bounce>& all_bounces) && {
-    all_bounces.clear();
-    for (std::size_t i = 0; i < orbits_.size(); ++i) {
-      orbits_[i].begin = all_bounces.size();
-      all_bounces.insert(all_bounces.end(), bounces_[i].begin(), bounces_[i].end());
-      orbits_[i].end = all_bounces.size();
-    }
-    orbits = std::move(orbits_);
-  }
-
- private:
-  std::vector<Orbit> orbits_;
-  std::vector<std::vector<Bounce>> bounces_;
-};
 
 }  // namespace
 
@@ -88,9 +58,16 @@ Status Room::orbits(const Rays& starts, std::uint64_t bounces, std::vector<Orbit
     const Room none{Walls()};
     return none.orbits(starts, bounces, orbits, all_bounces);
   }
-  Keeper keeper(starts.size());
-  data_->tracer.follow(from, bounces, keeper);
-  std::move(keeper).give(orbits, all_bounces);
+  orbits.clear();
+  all_bounces.clear();
+  for (flatray::Orbit& each : trace_orbits(data_->tracer, from, bounces)) {
+    const flatray::Orbit traced = std::move(each);  // its memory is free then
+    const std::size_t begin = all_bounces.size();
+    std::transform(traced.bounces.begin(), traced.bounces.end(), std::back_inserter(all_bounces),
+                   bounce_of);
+    orbits.push_back({begin, all_bounces.size(), static_cast<OrbitEnd>(traced.end),
+                      traced.end_point.x(), traced.end_point.y(), traced.out.x(), traced.out.y()});
+  }
   return {};
 }
 

@@ -60,13 +60,7 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
 
 Orbit as_orbit(CertifiedOrbit exact, const Ray& start) {
   const double speed = start.direction.norm();
-  Orbit orbit{start.origin,
-              start.direction,
-              {},
-              exact.end,
-              exact.out,
-              exact.end_point,
-              std::move(exact.end_surfaces)};
+  Orbit orbit{static_cast<OrbitStop&>(exact), start.origin, start.direction};
   orbit.crossings = std::move(exact.crossings);
   double length = 0;
   for (const CertifiedOrbit::Bounce& one : exact.bounces) {

@@ -57,7 +57,7 @@ class Lines : public OrbitSink {
   }
   void end(std::size_t, const OrbitStop& stop) override {
     if (stop.end == OrbitEnd::absorbed || stop.end == OrbitEnd::corner)
-      density_.add(last_, stop.point);
+      density_.add(last_, stop.end_point);
   }
   Numbers numbers() const {
     Numbers all{first_, nearest_, farthest_, first_product_, least_product_, most_product_};

@@ -56,7 +56,7 @@ class Crossed : public OrbitSink {
   }
   void end(std::size_t, const OrbitStop& stop) override {
     if (stop.end == OrbitEnd::absorbed || stop.end == OrbitEnd::corner)
-      density_.add(last_, stop.point);
+      density_.add(last_, stop.end_point);
     if (curve_.empty() || curve_[curve_.size() - 2] < static_cast<double>(bounces_)) note();
   }
   /// Pairs of bounces and cells crossed, then the density.

@@ -48,9 +48,9 @@ class Outcomes : public OrbitSink {
                  : stop.end == OrbitEnd::escape   ? Kind::escape
                  : stop.end == OrbitEnd::absorbed ? Kind::absorbed
                                                   : Kind::corner;
-    if (stop.surfaces.empty()) return;
-    pixel.surface = stop.surfaces.front();
-    pixel.at = stop.point;
+    if (stop.end_surfaces.empty()) return;
+    pixel.surface = stop.end_surfaces.front();
+    pixel.at = stop.end_point;
     pixel.way += std::sqrt((pixel.at - from).squaredNorm());
   }
 
