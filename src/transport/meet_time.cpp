@@ -44,7 +44,7 @@ Sign heading(const Mover& mover, const Leg& leg, const Circle& wall) {
   });
 }
 
-CrossingPlace crossing_place(const Mover& mover, const Leg& leg, const Segment& wall) {
+PlaceOn crossing_place(const Mover& mover, const Leg& leg, const Segment& wall) {
   // a + s (b - a) with s = (at x velocity) / (edge x velocity)
   const Sign turn = heading(mover, leg, wall);
   const auto along = [&](const Vec2& end) {
@@ -54,11 +54,10 @@ CrossingPlace crossing_place(const Mover& mover, const Leg& leg, const Segment& 
            });
   };
   const Sign from_a = along(wall.a);
-  if (from_a == Sign::negative) return CrossingPlace::before;
-  if (from_a == Sign::zero) return CrossingPlace::at_a;
+  if (from_a == Sign::negative) return PlaceOn::outside;
   const Sign from_b = along(wall.b);
-  if (from_b == Sign::positive) return CrossingPlace::beyond;
-  return from_b == Sign::zero ? CrossingPlace::at_b : CrossingPlace::inner;
+  if (from_b == Sign::positive) return PlaceOn::outside;
+  return from_a == Sign::zero || from_b == Sign::zero ? PlaceOn::at_end : PlaceOn::inner;
 }
 
 bool crosses(const Mover& mover, const Leg& leg, const Circle& wall) {

@@ -7,6 +7,7 @@
 #include "geom/decide.h"
 #include "geom/hit_time.h"
 #include "geom/pair.h"
+#include "geom/primitives/arc.h"
 
 namespace flatray {
 
@@ -49,10 +50,8 @@ Sign heading(const Mover& mover, const Leg& leg, const Segment& wall);
 /// Positive where it gets farther from the centre, negative where nearer.
 Sign heading(const Mover& mover, const Leg& leg, const Circle& wall);
 
-/// Where a mover crosses the line through a segment, as a part of the way from its first end to the
-/// other. Needs   a heading.
-enum class CrossingPlace { before, at_a, inner, at_b, beyond };
-CrossingPlace crossing_place(const Mover& mover, const Leg& leg, const Segment& wall);
+/// Where a mover crosses the line through a segment. Needs   a heading.
+PlaceOn crossing_place(const Mover& mover, const Leg& leg, const Segment& wall);
 
 /// Whether the line of a mover crosses a circle, in two points.
 bool crosses(const Mover& mover, const Leg& leg, const Circle& wall);

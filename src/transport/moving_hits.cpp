@@ -71,11 +71,11 @@ class HitFinder {
     const Sign to = heading(mover_, leg, wall);
     if (to == Sign::zero) return meets_end(wall, surface, leg, window);
     if (surface == left_.surface && to == left_.side) return false;
-    const CrossingPlace place = crossing_place(mover_, leg, wall);
-    if (place == CrossingPlace::before || place == CrossingPlace::beyond) return false;
+    const PlaceOn place = crossing_place(mover_, leg, wall);
+    if (place == PlaceOn::outside) return false;
     const MeetTime time = MeetTime::on_line(mover_, leg, wall);
     if (!is_in(time, window)) return false;
-    return keep({time, surface, &leg, -to, place != CrossingPlace::inner, Root::first});
+    return keep({time, surface, &leg, -to, place == PlaceOn::at_end, Root::first});
   }
 
   // It moves along the line of the wall, or with the wall.
@@ -126,8 +126,8 @@ Sign side_at(const Circle& wall, const Leg& leg, const Mover& mover, const MeetT
 }  // namespace
 
 const Leg& leg_at(const std::vector<Leg>& legs, const DoubleDouble& time) {
-  const auto after = std::find_if(legs.begin(), legs.end(),
-                                  [&](const Leg& leg) { return is_after(leg.begin, time); });
+  const auto after =
+      std::ranges::find_if(legs, [&](const Leg& leg) { return is_after(leg.begin, time); });
   return after == legs.begin() ? legs.front() : *(after - 1);
 }
 

@@ -100,22 +100,20 @@ class Flight {
     std::vector<std::uint32_t> met;
     met.reserve(hits.size());
     for (const MovingHit& one : hits) met.push_back(one.surface);
-    if (hits.size() > 1 || hit.at_end) return arrives(hit, there, std::move(met));
-    if (materials_[hit.surface] != Material::mirror) return arrives(hit, there, std::move(met));
+    if (hits.size() > 1 || hit.at_end || materials_[hit.surface] != Material::mirror)
+      return arrives(hit, there, std::move(met));
     const std::vector<NearWall> near = near_walls(hit, there);
     const auto stands = nearest_double(there.at, [&](const Vec2& at) {
       return may_stand({at, there.velocity, there.since}, hit, near);
     });
     if (!stands) {
       for (const NearWall& near_wall : near) met.push_back(near_wall.surface);
-      std::sort(met.begin(), met.end());
+      std::ranges::sort(met);
       return arrives(hit, there, std::move(met));
     }
     there.at = *stands;
     return bounces(hit, there);
   }
-
-  double last_time() const { return std::min(limits_.until, kLastTime); }
 
   // Nearest doubles.
   Vec2 place_at(const MeetTime& time) const {
@@ -162,7 +160,7 @@ class Flight {
                  const std::vector<NearWall>& near) const {
     const Leg& own = leg_at(walls_.legs(hit.surface), there.since);
     if (side_of(walls_, hit.surface, own, there) == -hit.side) return false;
-    return std::all_of(near.begin(), near.end(), [&](const NearWall& near_wall) {
+    return std::ranges::all_of(near, [&](const NearWall& near_wall) {
       return side_of(walls_, near_wall.surface, *near_wall.leg, there) == near_wall.side;
     });
   }
@@ -197,10 +195,9 @@ class Flight {
     return t;
   }
 
-  // Nearest doubles.
+  // Nearest doubles, never -0.
   static Vec2 wall_velocity(const Leg& leg) {
-    return {round_once([&](const auto& number) { return velocity_of(number, leg).x; }),
-            round_once([&](const auto& number) { return velocity_of(number, leg).y; })};
+    return round_both([&](const auto& number) { return velocity_of(number, leg); }) + Vec2(0, 0);
   }
 
   // To the left of a segment, outward of a circle.
@@ -225,18 +222,16 @@ class Flight {
     return seen.at + t * seen.velocity;
   }
 
-  // Nearest doubles.
+  // Nearest doubles, never -0.
   Vec2 reflected(const Segment& wall, const MovingHit& hit) const {
-    const auto component = [&](int axis) {
-      return round_once([&](const auto& number) {
-        const auto v = pair_of(number, mover_.velocity);
-        const auto along = pair_of(number, wall.b) - pair_of(number, wall.a);
-        const auto push =
-            number(2.0) * cross(along, velocity_of(number, *hit.leg) - v) / dot(along, along);
-        return axis == 0 ? v.x - push * along.y : v.y + push * along.x;
-      });
-    };
-    return {component(0), component(1)};
+    return round_both([&](const auto& number) {
+             const auto v = pair_of(number, mover_.velocity);
+             const auto along = pair_of(number, wall.b) - pair_of(number, wall.a);
+             const auto push =
+                 number(2.0) * cross(along, velocity_of(number, *hit.leg) - v) / dot(along, along);
+             return Pair<decltype(number(0.0))>{v.x - push * along.y, v.y + push * along.x};
+           }) +
+           Vec2(0, 0);
   }
 
   // Nearest doubles.
@@ -263,17 +258,16 @@ class Flight {
   }
 
   bool reaches_end() {
-    mover_.at = place_at(MeetTime::at(mover_, last_time()));
-    mover_.since = {last_time(), 0};
+    const double end = std::min(limits_.until, kLastTime);
+    mover_.at = place_at(MeetTime::at(mover_, end));
+    mover_.since = {end, 0};
     return stop(OrbitEnd::limit, {});
   }
 
   bool stop(OrbitEnd end, std::vector<std::uint32_t> surfaces) {
-    Orbit& orbit = done_.orbit;
-    orbit.end = end;
-    if (mover_.velocity != Vec2(0, 0)) orbit.out = unit(mover_.velocity);
-    orbit.end_point = mover_.at;
-    orbit.end_surfaces = std::move(surfaces);
+    const bool moves = mover_.velocity != Vec2(0, 0);
+    static_cast<OrbitStop&>(done_.orbit) = {end, moves ? unit(mover_.velocity) : Vec2(0, 0),
+                                            mover_.at, std::move(surfaces)};
     done_.velocity = mover_.velocity;
     done_.end_time = mover_.since.hi;
     return false;
