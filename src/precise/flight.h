@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "geom/pair.h"
@@ -97,8 +98,8 @@ class Flight {
   /// Whether all that lies ahead are periodic walls.
   bool crosses(const Prospect& next) const {
     return (next.kind == Prospect::Kind::wall || next.kind == Prospect::Kind::corner) &&
-           std::all_of(next.walls.begin(), next.walls.end(),
-                       [&](std::uint32_t surface) { return periodic_.has(surface); });
+           std::ranges::all_of(next.walls,
+                               [&](std::uint32_t surface) { return periodic_.has(surface); });
   }
 
   /// Goes on from the walls opposite the periodic ones that it is known to meet next, and gives the
@@ -119,7 +120,12 @@ class Flight {
     if (const auto meeting = first_of(surface); meeting && meeting->end) return pair(*meeting->end);
     Flight there(*this);
     if (there.bounce(surface)) return there.point_;
-    return walls_.visit(surface, [&](const auto& wall) { return first_end(wall); });
+    if (walls_.segment_slot(surface) == kNoSurface) return std::nullopt;
+    const Segment& wall = walls_.segment(surface);  // on the line of the ray
+    const auto order =
+        (dot(pair(wall.a), course_.direction) - dot(pair(wall.b), course_.direction)).sign();
+    if (!order) return std::nullopt;
+    return pair(*order == Sign::positive ? wall.b : wall.a);
   }
 
   /// Makes balls of all that may go on without error. Of Certain.
@@ -164,18 +170,6 @@ class Flight {
            Sign::zero;
   }
 
-  // Of a wall on the line of the ray.
-  template <class Curve>
-  std::optional<Pair<Number>> first_end(const Curve&) const {
-    return std::nullopt;
-  }
-  std::optional<Pair<Number>> first_end(const Segment& wall) const {
-    const auto order =
-        (dot(pair(wall.a), course_.direction) - dot(pair(wall.b), course_.direction)).sign();
-    if (!order) return std::nullopt;
-    return pair(*order == Sign::positive ? wall.b : wall.a);
-  }
-
   std::vector<CourseHit<Number>> meetings(std::uint32_t surface) const {
     const auto* copy = periodic_.find_copy(surface);
     std::vector<CourseHit<Number>> met =
@@ -203,14 +197,10 @@ class Flight {
     return surface == departed_;
   }
   bool stands_on(const Arc& arc, std::uint32_t surface) const {
-    const auto is_part = [&](const auto& wall) { return is_part_of(wall, arc.curve); };
-    return surface == departed_ || (departed_ != kNoSurface && walls_.visit(departed_, is_part));
+    const auto is_arc = []<class Wall>(const Wall&) { return std::is_same_v<Wall, Arc>; };
+    return surface == departed_ || (departed_ != kNoSurface && walls_.visit(departed_, is_arc) &&
+                                    is_same_curve(walls_.arc(departed_).curve, arc.curve));
   }
-  static bool is_part_of(const Arc& arc, const Ellipse& curve) {
-    return is_same_curve(arc.curve, curve);
-  }
-  static bool is_part_of(const Segment&, const Ellipse&) { return false; }
-  static bool is_part_of(const Bezier&, const Ellipse&) { return false; }
 
   // Of places that are known: positive where b comes first.
   std::optional<Sign> order_of(const CourseHit<Number>& a, const CourseHit<Number>& b) const {
@@ -255,13 +245,13 @@ class Flight {
   std::optional<double> end_of_free(const Segment& wall, int axis, const Number& place,
                                     Sign heading) const;
 
-  // Where the line crosses a wall that it is known to cross; nullopt where Number cannot tell.
-  std::optional<Pair<Number>> meeting_point(const Segment& wall) const {
+  // Where the line crosses a wall that it is known to cross, as a part of the way between its ends; nullopt
+  // where Number cannot tell.
+  std::optional<Number> part_at(const Segment& wall) const {
     const Number side_a = course_.side_of(wall.a), apart = side_a - course_.side_of(wall.b);
     const auto slope = apart.sign();
     if (!slope || *slope == Sign::zero) return std::nullopt;
-    const Number part = side_a / apart;
-    return pair(wall.a) + part * (pair(wall.b) - pair(wall.a));
+    return side_a / apart;
   }
 
   // `isometry` takes a vector without error to what becomes of it. That keeps the length of an error,
@@ -277,18 +267,17 @@ class Flight {
   // d' = d - 2 (d.n) n / n.n, a reflection of d by known numbers; the moment about a point of the
   // wall changes its sign.
   bool bounce_off(const Segment& wall, std::uint32_t) {
-    const Number side_a = course_.side_of(wall.a), apart = side_a - course_.side_of(wall.b);
-    const auto slope = apart.sign();
-    if (!slope || *slope == Sign::zero) return false;
-    const Pair<Number> edge = pair(wall.b) - pair(wall.a), a = pair(wall.a);
-    const Number length = dot(edge, edge), part = side_a / apart;
+    const auto part = part_at(wall);
+    if (!part) return false;
+    const Pair<Number> edge = pair(wall.b) - pair(wall.a);
+    const Number side_a = course_.side_of(wall.a), length = dot(edge, edge);
     const Number c = (edge.x * edge.x - edge.y * edge.y) / length;
     const Number s = course_.make(2) * edge.x * edge.y / length;
     turn([&](const Pair<Number>& d) { return Pair<Number>{c * d.x + s * d.y, s * d.x - c * d.y}; });
     course_.about = wall.a;
     course_.moment = -side_a;
-    course_.here = part * dot(edge, course_.direction);
-    point_ = {a.x + part * edge.x, a.y + part * edge.y};
+    course_.here = *part * dot(edge, course_.direction);
+    point_ = pair(wall.a) + *part * edge;
     return true;
   }
 

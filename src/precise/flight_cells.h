@@ -6,13 +6,15 @@ namespace flatray {
 
 template <class Number, class Make>
 std::optional<Pair<Number>> Flight<Number, Make>::cross_over(const Prospect& next) {
-  auto met = meeting_point(walls_.segment(next.walls.front()));
-  if (!met) return std::nullopt;
-  point_ = *met;
+  const Segment& wall = walls_.segment(next.walls.front());
+  const auto part = part_at(wall);
+  if (!part) return std::nullopt;
+  const Pair<Number> met = pair(wall.a) + *part * (pair(wall.b) - pair(wall.a));
+  point_ = met;
   const auto crossed = periodic_.crossed_by(
       next.walls, [&](const PeriodicWalls::Side& side) { return leads_out(side.surface); });
   if (!crossed) return std::nullopt;
-  for (const PeriodicWalls::Side* side : crossed->all()) {
+  for (const PeriodicWalls::Side* side : *crossed) {
     const Pair<Number> shift = pair(side->to()) - pair(side->from());
     course_.moment = course_.moment + cross(shift, course_.direction);
     point_ = point_ + shift;

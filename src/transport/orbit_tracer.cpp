@@ -98,9 +98,7 @@ class OrbitTracer::Wave {
   // Takes the ray to its next wall; whether it goes on from there.
   bool advance(Flight& flight, const NearestHit& hit) {
     if (!hit) return stop(flight, OrbitEnd::escape, {});
-    if (orbits_.periodic_.has(hit.surface) && enters_by(flight, hit.surface))
-      return arrive(flight, next_inside(flight));
-    return arrive(flight, hit);
+    return arrive(flight, enters_by(flight, hit.surface) ? next_inside(flight) : hit);
   }
 
   // The same along an arc of a circle.
@@ -110,9 +108,9 @@ class OrbitTracer::Wave {
     if (!hit) return stop(flight, OrbitEnd::cyclotron, {});
     const double t = hit->meeting.time();
     flight.ray.direction = hit->meeting.direction();
-    add_to(flight.time, t);
+    flight.time = plus(flight.time, t);
     ExactOrigin origin = orbits_.origins_.after(arc, *hit);
-    if (origin.corner.empty() && is_mirror(hit->surface))
+    if (origin.corner.empty() && is(hit->surface, Material::mirror))
       return bounce(flight, {hit->surface}, origin.point, t,
                     reflect_in_field(walls_, hit->surface, hit->meeting.from(),
                                      flight.ray.direction, origin, flight.speed));
@@ -122,11 +120,12 @@ class OrbitTracer::Wave {
 
   // From a corner of periodic walls, where only one of the two is the wall just left.
   bool enters_by(const Flight& flight, std::uint32_t surface) const {
-    return !orbits_.periodic_.leads_out(surface, flight.ray.direction);
+    return orbits_.periodic_.has(surface) &&
+           !orbits_.periodic_.leads_out(surface, flight.ray.direction);
   }
   NearestHit next_inside(const Flight& flight) const {
     for (const NearestHit& hit : orbits_.tracer_->all_of_one(flight.ray, flight.departed, false))
-      if (!orbits_.periodic_.has(hit.surface) || !enters_by(flight, hit.surface)) return hit;
+      if (!enters_by(flight, hit.surface)) return hit;
     return {};
   }
 
@@ -147,16 +146,17 @@ class OrbitTracer::Wave {
     if (!orbits_.choice_.tracer->exact && !is_crossed(flight.ray, hit))
       return stop(flight, OrbitEnd::corner, {hit.surface});
     ExactOrigin origin = orbits_.origins_.after(flight.ray, hit);
-    add_to(flight.time, hit.t);
+    flight.time = plus(flight.time, hit.t);
     if (origin.corner.empty()) {
-      if (is_mirror(hit.surface)) {
+      if (is(hit.surface, Material::mirror)) {
         auto reflection = reflect_off(walls_, flight.ray, hit, origin, flight.speed);
         const DepartedSurface wall{hit.surface, root_departed_by(hit.root)};
         if (reflection && circle_at(wall.surface))
           keep_moment(flight, wall, origin.point, reflection->direction);
         return bounce(flight, wall, origin.point, hit.t, reflection);
       }
-      if (orbits_.glass_ != nullptr && is_glass(hit.surface)) return split(flight, hit, origin);
+      if (orbits_.glass_ != nullptr && is(hit.surface, Material::glass))
+        return split(flight, hit, origin);
       origin.corner = {hit.surface};
     }
     if (is_all(origin.corner, Material::periodic) &&
@@ -255,12 +255,12 @@ class OrbitTracer::Wave {
       flight.ray.origin = corner.point;
       return stop(flight, OrbitEnd::limit, {});
     }
-    add_to(flight.time, t);
+    flight.time = plus(flight.time, t);
     if (flight.departed.surface == kNoSurface) {
       flight.before = t;
       return true;
     }
-    if (!is_mirror(flight.departed.surface))
+    if (!is(flight.departed.surface, Material::mirror))
       return stop(flight, OrbitEnd::absorbed, {flight.departed.surface});
     return bounce(flight, flight.departed, flight.ray.origin, t,
                   reflect_again(walls_, flight.departed, flight.ray.origin, back, flight.speed));
@@ -278,15 +278,10 @@ class OrbitTracer::Wave {
   }
 
   bool is_all(std::span<const std::uint32_t> surfaces, Material material) const {
-    return std::all_of(surfaces.begin(), surfaces.end(),
-                       [&](std::uint32_t i) { return orbits_.materials_[i] == material; });
+    return std::ranges::all_of(surfaces, [&](std::uint32_t i) { return is(i, material); });
   }
-  bool is_mirror(std::uint32_t surface) const {
-    return orbits_.materials_[surface] == Material::mirror;
-  }
-
-  bool is_glass(std::uint32_t surface) const {
-    return orbits_.materials_[surface] == Material::glass;
+  bool is(std::uint32_t surface, Material material) const {
+    return orbits_.materials_[surface] == material;
   }
 
   // Of an orbit where there is glass.

@@ -6,18 +6,14 @@
 #include "geom/error_free.h"
 #include "geom/predicates.h"
 #include "transport/near_doubles.h"
+#include "transport/reflection.h"
 
 namespace flatray {
 namespace {
 
-DoubleDouble add(const DoubleDouble& sum, double x) {
-  const DoubleDouble next = two_sum(sum.hi, x);
-  return two_sum(next.hi, next.lo + sum.lo);
-}
-
 // x + to - from, rounded once.
 double moved(double x, double from, double to) {
-  return from == to ? x : add(add({x, 0}, to), -from).hi;
+  return from == to ? x : plus(two_sum(x, to), -from).hi;
 }
 
 // The place on a segment that is nearest to another, rounded once: there may be far more doubles than where
@@ -30,7 +26,7 @@ Vec2 on_line(const Segment& wall, const Vec2& place) {
     DoubleDouble sum{wall.a[axis], 0};
     if (is_exact_product(share, whole.hi)) {
       const DoubleDouble way = two_product(share, whole.hi);
-      sum = add(add(add(sum, way.hi), way.lo), share * whole.lo);
+      sum = plus(plus(plus(sum, way.hi), way.lo), share * whole.lo);
     }
     return sum.hi;
   };
@@ -65,8 +61,7 @@ std::vector<Disc> discs_across(const Surfaces& walls, std::span<const PeriodicWa
     const auto reaches = [&](const PeriodicWalls::Side& side) {
       return depth(side.wall, disc->centre) < disc->radius;
     };
-    if (disc && std::any_of(sides.begin(), sides.end(), reaches))
-      across.push_back({surface, *disc});
+    if (disc && std::ranges::any_of(sides, reaches)) across.push_back({surface, *disc});
   }
   const auto radius = [&](std::size_t i) { return across[i].circle.radius; };
   std::ranges::stable_sort(across, {}, [](const Disc& disc) { return disc.circle.radius; });
@@ -149,8 +144,7 @@ const PeriodicWalls::Copy* PeriodicWalls::find_copy(std::uint32_t surface) const
 }
 
 const PeriodicWalls::Side* PeriodicWalls::find(std::uint32_t surface) const {
-  const auto side = std::find_if(sides_.begin(), sides_.end(),
-                                 [&](const Side& one) { return one.surface == surface; });
+  const auto side = std::ranges::find(sides_, surface, &Side::surface);
   return side == sides_.end() ? nullptr : &*side;
 }
 
@@ -164,34 +158,33 @@ std::optional<PeriodicWalls::Entry> PeriodicWalls::cross(
   const auto crossed = crossed_by(surfaces, [&](const Side& side) {
     return std::optional(leads_out(side.surface, direction));
   });
-  if (crossed->count == 0) return std::nullopt;
+  if (crossed->empty()) return std::nullopt;
   Entry entry{point, kNoSurface, {}};
-  for (const Side* side : crossed->all()) {
+  for (const Side* side : *crossed) {
     for (const int axis : {0, 1})
       entry.point[axis] = moved(entry.point[axis], side->from()[axis], side->to()[axis]);
     if (side->axis < 0) entry.point = on_line(side->far, entry.point);
     entry.surface = side->opposite;
     entry.step += side->step;
   }
-  for (const Side* side : crossed->all())
+  for (const Side* side : *crossed)
     if (side->axis >= 0) entry.point[side->axis] = side->to()[side->axis];
-  const auto inner = inside(entry.point, crossed->all().back()->far);
+  const auto inner = inside(entry.point, crossed->back()->far);
   if (!inner) return std::nullopt;
   entry.point = *inner;
   return entry;
 }
 
 bool PeriodicWalls::may_stand(const Vec2& point) const {
-  return std::all_of(sides_.begin(), sides_.end(),
-                     [&](const Side& side) {
-                       return orientation(side.wall.a, side.wall.b, point) != Sign::negative;
-                     }) &&
-         !in_disc_across(point);
+  const auto is_inside = [&](const Segment& wall) {
+    return orientation(wall.a, wall.b, point) != Sign::negative;
+  };
+  return std::ranges::all_of(sides_, is_inside, &Side::wall) && !in_disc_across(point);
 }
 
 bool PeriodicWalls::in_disc_across(const Vec2& point) const {
-  return std::any_of(discs_.begin(), discs_.end(),
-                     [&](const Circle& disc) { return curve_side(point, disc) != Sign::positive; });
+  return std::ranges::any_of(
+      discs_, [&](const Circle& disc) { return curve_side(point, disc) != Sign::positive; });
 }
 
 // Copies of a disc are rounded, too: what goes round one may come in under another by as much, and is moved

@@ -46,11 +46,7 @@ class PeriodicWalls {
     const Vec2& to() const { return far.b; }
   };
   /// The walls that are left by at once, in turn: two where a ray goes through a corner of the cell.
-  struct Crossed {
-    std::array<const Side*, 2> sides{};
-    std::size_t count = 0;
-    std::span<const Side* const> all() const { return {sides.data(), count}; }
-  };
+  using Crossed = std::vector<const Side*>;
 
   /// Needs   the periodic ones of `walls` to be the edges of one cell in order, or none. No materials
   ///         mean none.
@@ -120,16 +116,16 @@ std::optional<PeriodicWalls::Crossed> PeriodicWalls::crossed_by(
     const std::optional<bool> out = leads_out(*first);
     if (!out) return std::nullopt;
     if (!*out) continue;
-    crossed = {{first}, 1};
+    crossed.push_back(first);
     if (surfaces.size() == 1) return crossed;
     // Its end that the others share is taken to the other end of the wall opposite.
     const auto at = static_cast<std::size_t>(first - sides_.data());
     const Side& next = sides_[(at + 1) % count];
-    const bool at_end = std::find(surfaces.begin(), surfaces.end(), next.surface) != surfaces.end();
+    const bool at_end = std::ranges::find(surfaces, next.surface) != surfaces.end();
     const Side& second = sides_[(at + count / 2 + (at_end ? count - 1 : 1)) % count];
     const std::optional<bool> too = leads_out(second);
     if (!too) return std::nullopt;
-    if (*too) crossed = {{first, &second}, 2};
+    if (*too) crossed.push_back(&second);
     return crossed;
   }
   return crossed;

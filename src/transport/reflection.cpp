@@ -71,9 +71,9 @@ Vec2 Speed::restore(const Vec2& direction) const {
 
 double Speed::length() const { return std::ldexp(std::sqrt(square_.hi), exponent_); }
 
-void add_to(DoubleDouble& sum, double time) {
-  const DoubleDouble next = two_sum(sum.hi, time);
-  sum = std::isfinite(next.hi) ? two_sum(next.hi, next.lo + sum.lo) : DoubleDouble{next.hi, 0};
+DoubleDouble plus(const DoubleDouble& sum, double more) {
+  const DoubleDouble next = two_sum(sum.hi, more);
+  return std::isfinite(next.hi) ? two_sum(next.hi, next.lo + sum.lo) : DoubleDouble{next.hi, 0};
 }
 
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,

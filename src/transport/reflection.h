@@ -33,8 +33,8 @@ class Speed {
   DoubleDouble square_;  // of the start, near one
 };
 
-/// Adds to a sum of times; infinity where it overflows.
-void add_to(DoubleDouble& sum, double time);
+/// A sum and one more number, in double-doubles; infinity where it overflows.
+DoubleDouble plus(const DoubleDouble& sum, double more);
 
 /// What a mirror does to a ray, or glass.
 struct Reflection {
