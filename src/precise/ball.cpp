@@ -170,18 +170,15 @@ std::optional<Sign> Ball::sign() const {
   return mpfr_sgn(middle_) > 0 ? Sign::positive : Sign::negative;
 }
 
-// The doubles nearest to both ends.
-std::pair<double, double> Ball::ends() const {
+// Where it is that to both ends.
+std::optional<double> Ball::nearest() const {
   Ball low(*this), high(*this);
   mpfr_sub(low.middle_, middle_, radius_, MPFR_RNDD);
   mpfr_add(high.middle_, middle_, radius_, MPFR_RNDU);
-  return {mpfr_get_d(low.middle_, MPFR_RNDN), mpfr_get_d(high.middle_, MPFR_RNDN)};
-}
-
-std::optional<double> Ball::nearest() const {
-  const auto [low, high] = ends();
-  if (low != high || !std::isfinite(low)) return std::nullopt;
-  return low + 0.0;  // never -0
+  const double nearest = mpfr_get_d(low.middle_, MPFR_RNDN);
+  if (nearest != mpfr_get_d(high.middle_, MPFR_RNDN) || !std::isfinite(nearest))
+    return std::nullopt;
+  return nearest + 0.0;  // never -0
 }
 
 Ball Ball::middle() const {

@@ -2,7 +2,6 @@
 #include <mpfr.h>
 
 #include <optional>
-#include <utility>
 
 #include "geom/exact.h"
 
@@ -49,8 +48,6 @@ class Ball {
   void add_rounding(int inexact);
   void make_unknown();
   mpfr_prec_t bits() const { return mpfr_get_prec(middle_); }
-
-  std::pair<double, double> ends() const;
 
   mpfr_t middle_, radius_;
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -40,7 +41,11 @@ class Certain {
 
   std::optional<Sign> sign() const { return exact() ? exact()->sign() : ball().sign(); }
   /// The nearest double, where it is finite and known.
-  std::optional<double> nearest() const;
+  std::optional<double> nearest() const {
+    if (!exact()) return ball().nearest();
+    const double value = exact()->nearest();
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  }
 
   Certain middle() const { return exact() ? *this : Certain(ball().middle(), bits_); }
   Certain rest() const { return exact() ? Certain(0, bits_) : Certain(ball().rest(), bits_); }
@@ -50,7 +55,10 @@ class Certain {
   const Rational* rational() const {
     return exact() && exact()->is_rational() ? &exact()->rational() : nullptr;
   }
-  Ball ball() const;
+  Ball ball() const {
+    if (!exact()) return std::get<Ball>(value_);
+    return exact()->in([this](const Rational& x) { return Ball(x, bits_); });
+  }
   Certain blurred() const { return {ball(), bits_}; }
   /// Of the longest number that it is made of.
   std::size_t bits() const { return exact() ? exact()->bits() : static_cast<std::size_t>(bits_); }

@@ -1,5 +1,4 @@
 #pragma once
-#include "base/check.h"
 #include "precise/flight.h"
 #include "precise/proven_bounces.h"
 
@@ -14,19 +13,10 @@ struct Proof {
 
 /// Whether what lies ahead is how the orbit ends.
 inline bool is_end(const Prospect& next, const Orbit& orbit) {
-  switch (orbit.end) {
-    case OrbitEnd::limit:
-      return true;
-    case OrbitEnd::escape:
-      return next.kind == Prospect::Kind::escape;
-    case OrbitEnd::absorbed:
-    case OrbitEnd::corner:
-      return next.kind != Prospect::Kind::escape && next.walls == orbit.end_surfaces;
-    case OrbitEnd::along:
-    case OrbitEnd::cyclotron:
-      return false;
-  }
-  unreachable();
+  if (orbit.end == OrbitEnd::escape) return next.kind == Prospect::Kind::escape;
+  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
+    return next.kind != Prospect::Kind::escape && next.walls == orbit.end_surfaces;
+  return orbit.end == OrbitEnd::limit;
 }
 
 /// The orbit followed in numbers that make(double) gives, as Flight has them.
