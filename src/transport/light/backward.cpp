@@ -60,7 +60,7 @@ class Backward {
                  std::span(gathered.error).subspan(3 * first));
     });
     gathered.paths = paths_ * pixels();
-    gathered.whole = std::find(left_out.begin(), left_out.end(), 1) == left_out.end();
+    gathered.whole = std::ranges::find(left_out, 1) == left_out.end();
     return gathered;
   }
 
@@ -237,7 +237,7 @@ class Backward {
     }
 
     static bool gamble(Path& path, double u) {
-      const double most = *std::max_element(path.weight.begin(), path.weight.end()) / (2 * kPi);
+      const double most = *std::ranges::max_element(path.weight) / (2 * kPi);
       if (most >= kFaint) return true;
       const double chance = most / (3 * kFaint);
       for (double& channel : path.weight) channel /= chance;

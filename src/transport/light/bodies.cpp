@@ -29,8 +29,7 @@ Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
     outermost_first_.push_back(body);
   }
   const auto reach = [&](std::uint32_t body) { return bounds_[body].size().sum(); };
-  std::stable_sort(outermost_first_.begin(), outermost_first_.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return reach(a) > reach(b); });
+  std::ranges::stable_sort(outermost_first_, std::ranges::greater(), reach);
 }
 
 // By the crossings of the half line to the right.

@@ -49,7 +49,7 @@ LightRay Emission::ray(std::uint64_t block, std::uint32_t number) const {
 }
 
 std::uint32_t Emission::lamp_of(std::uint32_t number) const {
-  const auto after = std::upper_bound(first_.begin(), first_.end(), number);
+  const auto after = std::ranges::upper_bound(first_, number);
   return static_cast<std::uint32_t>(after - first_.begin()) - 1;
 }
 

@@ -254,7 +254,7 @@ class Forward {
           if (rules_.light.sampler == LightSampler::random)
             return random_number(stream, block, rays_[order[k]].number, bounces);
           return stream == Stream::colour ? net_number(rank, 1, ~scramble)
-                                          : net_number(rank, scramble);
+                                          : net_number(rank, 0, scramble);
         };
         next_[k] = scattered(order[k], bounces, number, counts);
         gamble(next_[k], block, bounces, counts);

@@ -93,8 +93,8 @@ Departure LitWalls::depart(const LightHit& met, const Arrival& arrival, double u
 
 bool LitWalls::all_absorb(const LightRay& ray, const LightHit& met) const {
   const std::vector<std::uint32_t> corner = exact_origins_.after(ray.ray, met.hit).corner;
-  const bool scatter = std::any_of(corner.begin(), corner.end(),
-                                   [&](std::uint32_t i) { return scatterers_[i] != nullptr; });
+  const bool scatter =
+      std::ranges::any_of(corner, [&](std::uint32_t i) { return scatterers_[i] != nullptr; });
   return !scatter && !taken_by(materials_, corner).empty();
 }
 

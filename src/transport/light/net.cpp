@@ -30,23 +30,41 @@ constexpr Directions kDirections[kMostNetDimensions] = {{},  // van der Corput's
                                                         directions(3, 1, {1, 3, 1}),
                                                         directions(3, 2, {1, 1, 1})};
 
+std::uint32_t reversed_bits(std::uint32_t x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x & 0xff00ff00U) >> 8) | ((x & 0x00ff00ffU) << 8);
+  x = ((x & 0xf0f0f0f0U) >> 4) | ((x & 0x0f0f0f0fU) << 4);
+  x = ((x & 0xccccccccU) >> 2) | ((x & 0x33333333U) << 2);
+  return ((x & 0xaaaaaaaaU) >> 1) | ((x & 0x55555555U) << 1);
+}
+
+// Of a number whose bits are reversed: each is changed by those below it alone.
+std::uint32_t scrambled_bits(std::uint32_t x, std::uint32_t seed) {
+  x += seed;
+  x ^= x * 0x6c50b47cU;
+  x ^= x * 0xb82f1e52U;
+  x ^= x * 0xc7afe638U;
+  x ^= x * 0x8d22f6e6U;
+  return reversed_bits(x);
+}
+
+// With its bits reversed.
 std::uint32_t sobol(std::uint32_t index, unsigned dimension) {
-  if (dimension == 0) return reversed_bits(index);
+  if (dimension == 0) return index;
   std::uint32_t x = 0;
   for (const std::uint32_t v : kDirections[dimension]) {
     if (index == 0) break;
     if ((index & 1U) != 0) x ^= v;
     index >>= 1;
   }
-  return x;
+  return reversed_bits(x);
 }
 
 }  // namespace
 
 double net_number(std::uint32_t index, unsigned dimension, std::uint32_t seed) {
   FLATRAY_DCHECK(dimension < kMostNetDimensions);
-  return static_cast<double>(scrambled_bits(reversed_bits(sobol(index, dimension)), seed)) *
-         0x1p-32;
+  return static_cast<double>(scrambled_bits(sobol(index, dimension), seed)) * 0x1p-32;
 }
 
 }  // namespace flatray

@@ -6,6 +6,7 @@
 
 #include "geom/box_tree.h"
 #include "geom/decide.h"
+#include "geom/interval_set.h"
 #include "geom/primitives/wall.h"
 
 namespace flatray {
@@ -101,17 +102,14 @@ OffsetOrigins::Wall OffsetOrigins::wall(const Bezier& curve) const {
   return made;
 }
 
-Bounds OffsetOrigins::box(std::uint32_t surface) const {
-  Bounds made = walls_.visit(surface, [](const auto& wall) { return bounds_of(wall); });
-  const Vec2 around = Vec2::Constant(2 * apart_);
-  made.low -= around, made.high += around;
-  return made;
-}
-
 void OffsetOrigins::find_neighbours() {
   const auto count = static_cast<std::uint32_t>(walls_.size());
   std::vector<Bounds> boxes;
-  for (std::uint32_t i = 0; i < count; ++i) boxes.push_back(box(i));
+  const Vec2 around = Vec2::Constant(2 * apart_);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Bounds box = walls_.visit(i, [](const auto& wall) { return bounds_of(wall); });
+    boxes.push_back({box.low - around, box.high + around});
+  }
   const BoxTree tree(boxes);
   std::size_t looks = 0, kept = 0;
   std::vector<std::uint32_t> others;
@@ -128,7 +126,7 @@ void OffsetOrigins::find_neighbours() {
       for (Wall& wall : table_) wall.ready = false;
       return;
     }
-    std::sort(others.begin(), others.end());
+    std::ranges::sort(others);
     if (!others.empty())
       walls_.visit(i, [&](const auto& wall) { keep_neighbours(wall, table_[i], others); });
   }
@@ -145,22 +143,16 @@ void OffsetOrigins::keep_neighbours(const Curve&, Wall& wall,
 
 void OffsetOrigins::keep_neighbours(const Segment&, Wall& wall,
                                     std::span<const std::uint32_t> others) {
-  std::vector<Stretch> found;
+  std::vector<Range> found;
   for (const std::uint32_t i : others) {
     if (table_[i].is_plain)
       walls_.visit(i, [&](const auto& other) { add_near(wall, other, table_[i], found); });
     else
       found.push_back({-3 * apart_, wall.length + 3 * apart_});
   }
-  std::sort(found.begin(), found.end(),
-            [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+  const IntervalSet apart = interval_set(std::move(found));
   wall.begin = static_cast<std::uint32_t>(stretches_.size());
-  for (const Stretch& one : found) {
-    if (stretches_.size() > wall.begin && one.from <= stretches_.back().to)
-      stretches_.back().to = std::max(stretches_.back().to, one.to);
-    else
-      stretches_.push_back(one);
-  }
+  stretches_.insert(stretches_.end(), apart.begin(), apart.end());
   wall.end = static_cast<std::uint32_t>(stretches_.size());
 }
 
@@ -168,16 +160,16 @@ void OffsetOrigins::keep_neighbours(const Segment&, Wall& wall,
 // a whole curve, on both sides of what lies inside. A quotient by less than kLeastSlope would not be
 // certain.
 void OffsetOrigins::add_near(const Wall& wall, const Segment&, const Wall& second,
-                             std::vector<Stretch>& found) const {
+                             std::vector<Range>& found) const {
   constexpr double kLeastSlope = 0x1p-10;
   const double far = 3 * apart_;
   const Vec2 way = along(wall.normal);
-  Stretch near{-far, wall.length + far};
+  Range near{-far, wall.length + far};
   const auto within = [&](const Vec2& axis, double low, double high) {
     const double start = axis.dot(wall.at - second.at), slope = axis.dot(way);
     if (std::fabs(slope) < kLeastSlope) return;
     const auto [from, to] = std::minmax({(low - start) / slope, (high - start) / slope});
-    near = {std::max(near.from, from), std::min(near.to, to)};
+    near = {std::max(near.low, from), std::min(near.high, to)};
   };
   within(second.normal, -far, far);
   within(along(second.normal), -far, second.length + far);
@@ -185,7 +177,7 @@ void OffsetOrigins::add_near(const Wall& wall, const Segment&, const Wall& secon
 }
 
 void OffsetOrigins::add_near(const Wall& wall, const Arc& other, const Wall& second,
-                             std::vector<Stretch>& found) const {
+                             std::vector<Range>& found) const {
   const Ellipse& curve = other.curve;
   const auto form = [&](const Vec2& v) { return curve_form(kPlain, curve, pair_of(kPlain, v)); };
   const auto start = form(wall.at - curve.centre), slope = form(along(wall.normal));
@@ -202,7 +194,7 @@ void OffsetOrigins::add_near(const Wall& wall, const Arc& other, const Wall& sec
 
 // By halves of its control polygon, as far as they come near.
 void OffsetOrigins::add_near(const Wall& wall, const Bezier& other, const Wall&,
-                             std::vector<Stretch>& found) const {
+                             std::vector<Range>& found) const {
   constexpr int kHalvings = 12;
   const double far = 3 * apart_;
   using Form = Bernstein<double>;
@@ -210,19 +202,19 @@ void OffsetOrigins::add_near(const Wall& wall, const Bezier& other, const Wall&,
     return bernstein_of(kPlain, other, [&](const Vec2& p) { return axis.dot(p - wall.at); });
   };
   const auto range = [](const Form& form, const Form& weights) {
-    Stretch of{kInfinity, -kInfinity};
+    Range of{kInfinity, -kInfinity};
     for (std::size_t k = 0; k < form.size(); ++k) {
       const double value = form[k] / weights[k];
-      of = {std::min(of.from, value), std::max(of.to, value)};
+      of = {std::min(of.low, value), std::max(of.high, value)};
     }
     return of;
   };
   const auto add = [&](const auto& self, const Form& off, const Form& place, const Form& weights,
                        int halvings) -> void {
-    const Stretch offs = range(off, weights), places = range(place, weights);
-    if (offs.from > far || offs.to < -far) return;
-    if (halvings == 0 || (offs.from >= -far && offs.to <= far)) {
-      found.push_back({places.from - far, places.to + far});
+    const Range offs = range(off, weights), places = range(place, weights);
+    if (offs.low > far || offs.high < -far) return;
+    if (halvings == 0 || (offs.low >= -far && offs.high <= far)) {
+      found.push_back({places.low - far, places.high + far});
       return;
     }
     const auto off_halves = halves(off, 0.5), place_halves = halves(place, 0.5),
@@ -241,7 +233,7 @@ bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b, const Bounds& box)
 }
 
 bool OffsetOrigins::are_far(const Arc& arc, const Wall& wall, std::span<const Vec2> points) const {
-  return std::all_of(points.begin(), points.end(), [&](const Vec2& point) {
+  return std::ranges::all_of(points, [&](const Vec2& point) {
     return (1 - share_of_radius(arc.curve, point)) * wall.length > 4 * apart_;
   });
 }
@@ -297,7 +289,7 @@ std::optional<OffsetOrigins::WallPoint> OffsetOrigins::meet(const Ray& ray,
 bool OffsetOrigins::is_clear(const Segment&, const Wall& wall, const WallPoint& met) const {
   const double place = along(wall.normal).dot(met.point - wall.at);
   for (std::uint32_t i = wall.begin; i < wall.end; ++i)
-    if (stretches_[i].from <= place && place <= stretches_[i].to) return false;
+    if (stretches_[i].low <= place && place <= stretches_[i].high) return false;
   return true;
 }
 

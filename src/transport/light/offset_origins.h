@@ -53,22 +53,17 @@ class OffsetOrigins {
   Wall wall(const Segment& ends) const;
   Wall wall(const Arc& arc) const;
   Wall wall(const Bezier& curve) const;
-  Bounds box(std::uint32_t surface) const;
-  // Of a segment, from its end a, where others come near.
-  struct Stretch {
-    double from, to;
-  };
   void find_neighbours();
   void keep_neighbours(const Segment&, Wall& wall, std::span<const std::uint32_t> others);
   template <class Curve>
   void keep_neighbours(const Curve&, Wall& wall, std::span<const std::uint32_t> others);
-  // Of `other`, which is plain.
+  // Of `other`, which is plain: where it comes near, from end a of the wall on.
   void add_near(const Wall& wall, const Segment& other, const Wall& second,
-                std::vector<Stretch>& found) const;
+                std::vector<Range>& found) const;
   void add_near(const Wall& wall, const Arc& other, const Wall& second,
-                std::vector<Stretch>& found) const;
+                std::vector<Range>& found) const;
   void add_near(const Wall& wall, const Bezier& other, const Wall& second,
-                std::vector<Stretch>& found) const;
+                std::vector<Range>& found) const;
   bool is_clear(const Segment&, const Wall& wall, const WallPoint& met) const;
   bool is_clear(const Arc& arc, const Wall& wall, WallPoint& met) const;
   bool is_clear(const Bezier& curve, const Wall& wall, WallPoint& met) const;
@@ -85,7 +80,7 @@ class OffsetOrigins {
   const Surfaces& walls_;
   double apart_ = 0, distance_ = 0, farthest_ = 0;
   std::vector<Wall> table_;
-  std::vector<Stretch> stretches_;   // of each segment apart, ascending
+  std::vector<Range> stretches_;     // of each segment apart, ascending
   std::vector<std::uint32_t> near_;  // of each curve
 };
 

@@ -40,7 +40,8 @@ TEST(LightNet, IsANetInItsFirstTwoDimensions) {
 
 TEST(LightNet, SeedsGiveOtherNumbers) {
   int same = 0;
-  for (std::uint32_t i = 0; i < 1000; ++i) same += net_number(i, 1) == net_number(i, 2) ? 1 : 0;
+  for (std::uint32_t i = 0; i < 1000; ++i)
+    same += net_number(i, 0, 1) == net_number(i, 0, 2) ? 1 : 0;
   EXPECT_LT(same, 3);
 }
 
