@@ -44,9 +44,7 @@ struct FirstMeeting {
     if (outer.verdict == Verdict::apart) return;
     inner = in_a ? turning_contact(*in_a, *in_b, 1, kTurningWidth, false, from) : outer;
     const double seen = outer.first.high;
-    if (seen < 1)
-      parted =
-          outer.verdict == Verdict::meets ? turning_parting(a, b, seen, 1, kTurningWidth) : seen;
+    if (seen < 1) parted = outer.verdict == Verdict::meets ? turning_parting(a, b, seen) : seen;
     end = std::max(seen, parted ? *parted : last(1).first.high);
   }
   TurningContact last(double until) const {

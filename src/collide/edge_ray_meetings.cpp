@@ -21,11 +21,9 @@ struct Pieces {
 
 Pieces pieces(const Shape& shape, const Pose& place) {
   std::vector<std::vector<Vec2>> rings;
-  std::vector<Bounds> boxes(shape.piece_count());
-  for (std::size_t piece = 0; piece < boxes.size(); ++piece) {
-    const std::vector<Vec2>& ring = rings.emplace_back(posed_piece(shape, piece, place));
-    for (const Vec2& corner : ring) boxes[piece].add(corner);
-  }
+  std::vector<Bounds> boxes;
+  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece)
+    boxes.push_back(box_about(rings.emplace_back(posed_piece(shape, piece, place))));
   return {std::move(rings), boxes, BoxTree(boxes)};
 }
 

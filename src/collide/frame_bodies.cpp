@@ -1,6 +1,7 @@
 #include "collide/frame_bodies.h"
 
 #include <algorithm>
+#include <set>
 
 #include "anim/motion.h"
 #include "collide/broad_phase.h"
@@ -93,41 +94,32 @@ std::vector<MeetingPart> FrameBodies::meet(const IndexPair& pair) const {
   const auto top = outline_ == Outline::own  // boxes stand upright in the world
                        ? moving_group_of_both(scene_, pair.first, pair.second)
                        : std::nullopt;
-  std::vector<double> times = motion_.knots(pair.first, top, from_, to_);
-  const std::vector<double> others = motion_.knots(pair.second, top, from_, to_);
-  times.insert(times.end(), others.begin(), others.end());
-  times.push_back(to_);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::set<double> times{to_};
+  for (const std::uint32_t entity : {pair.first, pair.second})
+    for (const double knot : motion_.knots(entity, top, from_, to_)) times.insert(knot);
   std::vector<MeetingPart> met;
   for (double from = from_; const double to : times) {
-    add_meetings(pair, top, from, to, met);
+    const auto carried = [&](std::uint32_t entity) {
+      return CarriedShape{shape(entity), motion_.between(entity, top, frame_, from, to)};
+    };
+    for (MeetingPart& part :
+         carried_shapes_meet(carried(pair.first), carried(pair.second), outline_)) {
+      stretch(part, [&](double t) { return t == 1 ? to : from + t * (to - from); });
+      if (top) {
+        const Pose place = group_poses(scene_, part.times.low)[*top].pose;
+        part.point = place(part.point);
+        part.normal = place.turned(part.normal).stableNormalized();
+      }
+      met.push_back(part);
+    }
     from = to;
   }
   return met;
 }
 
-void FrameBodies::add_meetings(const IndexPair& pair, std::optional<std::uint32_t> top, double from,
-                               double to, std::vector<MeetingPart>& met) const {
-  const auto carried = [&](std::uint32_t entity) {
-    return CarriedShape{shape(entity), motion_.between(entity, top, frame_, from, to)};
-  };
-  for (MeetingPart& part :
-       carried_shapes_meet(carried(pair.first), carried(pair.second), outline_)) {
-    stretch(part, [&](double t) { return t == 1 ? to : from + t * (to - from); });
-    if (top) {
-      const Pose place = group_poses(scene_, part.times.low)[*top].pose;
-      part.point = place(part.point);
-      part.normal = place.turned(part.normal).stableNormalized();
-    }
-    met.push_back(part);
-  }
-}
-
-std::vector<MeetingPart> FrameBodies::in_seconds(std::vector<MeetingPart> parts) const {
+void FrameBodies::to_seconds(std::vector<MeetingPart>& parts) const {
   for (MeetingPart& part : parts)
     stretch(part, [&](double t) { return (frame_ - 1 + t) / scene_.fps; });
-  return parts;
 }
 
 }  // namespace flatray

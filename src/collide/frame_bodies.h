@@ -25,13 +25,11 @@ class FrameBodies {
 
   /// Times in seconds from frame 1 in which two meet.
   std::vector<MeetingPart> meet(const IndexPair& pair) const;
-  /// What shapes_meet() tells of two, in such times.
-  std::vector<MeetingPart> in_seconds(std::vector<MeetingPart> parts) const;
+  /// Makes such times of those that shapes_meet() tells of two.
+  void to_seconds(std::vector<MeetingPart>& parts) const;
 
  private:
   Bounds box_of(std::uint32_t entity) const;
-  void add_meetings(const IndexPair& pair, std::optional<std::uint32_t> top, double from, double to,
-                    std::vector<MeetingPart>& met) const;
   const Shape* shape(std::uint32_t entity) const;
 
   const Scene& scene_;

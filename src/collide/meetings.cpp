@@ -12,6 +12,10 @@
 namespace flatray {
 namespace {
 
+std::string called(const Scene& scene, std::uint32_t entity) {
+  return called("entity", scene.entities[entity].name, scene.entities[entity].where);
+}
+
 // Whether any group it stands in is so.
 template <class Is>
 bool any_group(const Scene& scene, std::uint32_t entity, const Is& is) {
@@ -55,18 +59,9 @@ class MeetingFinder {
     }
   }
 
-  void run(unsigned last_frame) {
+  Result<std::vector<Meeting>> run(unsigned last_frame) && {
     whole_time(last_frame);
-    if (std::find(straight_.begin(), straight_.end(), false) == straight_.end()) return;
-    std::vector<EntityState> now = entity_states(timeline_, 1);
-    for (unsigned frame = 1; frame < last_frame && !refused_; ++frame) {
-      std::vector<EntityState> next = entity_states(timeline_, frame + 1);
-      one_frame(frame, now, next);
-      now = std::move(next);
-    }
-  }
-
-  Result<std::vector<Meeting>> found() && {
+    if (std::ranges::find(straight_, false) != straight_.end()) frame_by_frame(last_frame);
     if (refused_) return tl::unexpected(Diagnostics{*std::move(refused_)});
     return in_order(parts_, straight_);
   }
@@ -92,6 +87,15 @@ class MeetingFinder {
     });
   }
 
+  void frame_by_frame(unsigned last_frame) {
+    std::vector<EntityState> now = entity_states(timeline_, 1);
+    for (unsigned frame = 1; frame < last_frame && !refused_; ++frame) {
+      std::vector<EntityState> next = entity_states(timeline_, frame + 1);
+      one_frame(frame, now, next);
+      now = std::move(next);
+    }
+  }
+
   // What does not, against everything, from one frame to the next.
   void one_frame(unsigned frame, const std::vector<EntityState>& now,
                  const std::vector<EntityState>& next) {
@@ -101,7 +105,7 @@ class MeetingFinder {
       for (const IndexPair& pair : pairs)
         (bodies.are_straight(pair) ? together : others).push_back(pair);
       auto straight = pairs_meet(bodies.straight(), together, {0, 1}, threads_);
-      for (std::vector<MeetingPart>& parts : straight) parts = bodies.in_seconds(std::move(parts));
+      for (std::vector<MeetingPart>& parts : straight) bodies.to_seconds(parts);
       add(together, straight);
       std::vector<std::vector<MeetingPart>> met(others.size());
       parallel_for(others.size(), threads_,
@@ -143,15 +147,9 @@ class MeetingFinder {
 
   // In the order of time; what goes on from one frame to the next is one part.
   void add(const IndexPair& pair, const MeetingPart& part) {
-    std::vector<MeetingPart>& parts = parts_[pair];
-    if (parts.empty() || part.times.low > parts.back().times.high) {
-      parts.push_back(part);
-      if (++count_ > limits_.meetings)
-        refused_ =
-            too_many_meetings(scene_, pair.first, fmt::format("{} meetings", limits_.meetings));
-      return;
-    }
-    extend(parts.back(), part);
+    if (add_part(parts_[pair], part) && ++count_ > limits_.meetings)
+      refused_ =
+          too_many_meetings(scene_, pair.first, fmt::format("{} meetings", limits_.meetings));
   }
 
   const Timeline& timeline_;
@@ -173,9 +171,7 @@ std::vector<Meeting> in_order(const std::map<IndexPair, std::vector<MeetingPart>
   for (const auto& [pair, times] : parts)
     for (const MeetingPart& part : times)
       all.push_back({pair.first, pair.second, part, straight[pair.first] && straight[pair.second]});
-  std::stable_sort(all.begin(), all.end(), [](const Meeting& p, const Meeting& q) {
-    return p.part.times.low < q.part.times.low;
-  });
+  std::ranges::stable_sort(all, {}, [](const Meeting& met) { return met.part.times.low; });
   return all;
 }
 
@@ -183,14 +179,6 @@ bool changes_size(const Scene& scene, std::uint32_t entity) {
   return any_look(scene, entity, [](const Shape& shape) { return shape.changes != kNoEntry; }) ||
          any_group(scene, entity, [](const Group& group) { return bool(group.scale_curve); });
 }
-
-namespace {
-
-std::string called(const Scene& scene, std::uint32_t entity) {
-  return called("entity", scene.entities[entity].name, scene.entities[entity].where);
-}
-
-}  // namespace
 
 std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline) {
   Diagnostics problems;
@@ -248,9 +236,7 @@ bool rests(const Scene& scene, std::uint32_t entity) {
 Result<std::vector<Meeting>> find_meetings(const Timeline& timeline, unsigned last_frame,
                                            Outline outline, unsigned threads,
                                            MeetingLimits limits) {
-  MeetingFinder search(timeline, outline, threads, limits);
-  search.run(last_frame);
-  return std::move(search).found();
+  return MeetingFinder(timeline, outline, threads, limits).run(last_frame);
 }
 
 }  // namespace flatray

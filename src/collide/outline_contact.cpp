@@ -31,8 +31,8 @@ void count_cut(std::array<Vec2, 2> cut, const Vec2& velocity, const MovingBody& 
                std::vector<MeetingPart>& met) {
   if (is_before(cut[1], cut[0])) std::swap(cut[0], cut[1]);
   const auto& ring = thin.vertices;
-  if (!std::all_of(ring.begin(), ring.end(),
-                   [&](const Vec2& p) { return orientation(cut[0], cut[1], p) == Sign::zero; }))
+  if (!std::ranges::all_of(
+          ring, [&](const Vec2& p) { return orientation(cut[0], cut[1], p) == Sign::zero; }))
     return;
   const auto raise = [&](double time, StartPlace start) {
     for (MeetingPart& part : met) {
@@ -41,7 +41,7 @@ void count_cut(std::array<Vec2, 2> cut, const Vec2& velocity, const MovingBody& 
       part.start = std::max(part.start, start);
     }
   };
-  const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), is_before);
+  const auto [low, high] = std::ranges::minmax_element(ring, is_before);
   if (within.low <= 0 && within.high >= 0 && is_before(*low, cut[1]) && is_before(cut[0], *high))
     raise(0, StartPlace::inside);
   if (cross_sign(velocity, thin.velocity, cut[0], cut[1]) != Sign::zero) return;
@@ -130,11 +130,10 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place, Outline o
   }
   for (const ArcPath& path : shape.arc_paths) {
     if (const auto round = rounded_by(path)) {
-      const double radius = place.length(round->radius);
-      if (round->from == round->to)
-        all.push_back({{place(round->from)}, radius});
-      else
-        all.push_back({{place(round->from), place(round->to)}, radius});
+      ShapePart& part = all.emplace_back();
+      part.ring = {place(round->from)};
+      if (round->to != round->from) part.ring.push_back(place(round->to));
+      part.radius = place.length(round->radius);
     } else if (path.is_ellipse()) {
       all.push_back(ellipse_part(curve_of(path.arcs[0], place)));
     }
@@ -143,18 +142,8 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place, Outline o
 }
 
 void join(std::vector<MeetingPart>& parts) {
-  std::sort(parts.begin(), parts.end(),
-            [](const MeetingPart& p, const MeetingPart& q) { return p.times.low < q.times.low; });
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    MeetingPart& last = parts[kept];
-    if (parts[i].times.low > last.times.high) {
-      parts[++kept] = parts[i];
-      continue;
-    }
-    extend(last, parts[i]);
-  }
-  if (!parts.empty()) parts.resize(kept + 1);
+  std::ranges::sort(parts, {}, [](const MeetingPart& part) { return part.times.low; });
+  for (const MeetingPart& part : std::exchange(parts, {})) add_part(parts, part);
 }
 
 MeetingPart proven_part(Range times, StartPlace start, const ContactPlace& place, double width,
@@ -163,7 +152,12 @@ MeetingPart proven_part(Range times, StartPlace start, const ContactPlace& place
   return {times, kind, start, place.point, place.normal, width, certain};
 }
 
-void extend(MeetingPart& last, const MeetingPart& next) {
+bool add_part(std::vector<MeetingPart>& parts, const MeetingPart& next) {
+  if (parts.empty() || next.times.low > parts.back().times.high) {
+    parts.push_back(next);
+    return true;
+  }
+  MeetingPart& last = parts.back();
   if (!last.certain) {
     last.width = std::max(last.width, next.times.low + next.width - last.times.low);
     last.certain = next.certain;
@@ -171,6 +165,7 @@ void extend(MeetingPart& last, const MeetingPart& next) {
   last.times.high = std::max(last.times.high, next.times.high);
   last.kind = std::max(last.kind, next.kind);
   last.start = std::max(last.start, next.start);
+  return false;
 }
 
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within,

@@ -52,8 +52,9 @@ MeetingPart proven_part(Range times, StartPlace start, const ContactPlace& place
 inline MeetingPart undecided_part(Range times) {
   return proven_part(times, StartPlace::boundary, {{0, 0}, {0, 0}}, times.high - times.low, false);
 }
-/// Adds a part that begins before `last` ends.
-void extend(MeetingPart& last, const MeetingPart& next);
+/// Adds a part that begins no earlier than those before: to the last of them where it begins before that ends.
+/// Whether it is one more.
+bool add_part(std::vector<MeetingPart>& parts, const MeetingPart& next);
 /// Sorts parts by time, and makes one of those that overlap.
 void join(std::vector<MeetingPart>& parts);
 

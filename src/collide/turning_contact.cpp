@@ -155,9 +155,8 @@ TurningContact turning_contact(const TurningBody& a, const TurningBody& b, doubl
   return contact_of(TurningPair(a, b, length, backwards), a.motion, length, width, backwards, from);
 }
 
-std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from,
-                                      double length, double width) {
-  return ContactFinder(TurningPair(a, b, length, false), length, width).parting(from);
+std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from) {
+  return ContactFinder(TurningPair(a, b, 1, false), 1, kTurningWidth).parting(from);
 }
 
 TurningContact turning_contact(const TurningParts& a, const TurningParts& b, double length,
@@ -165,9 +164,8 @@ TurningContact turning_contact(const TurningParts& a, const TurningParts& b, dou
   return contact_of(BoxPair(a, b, length, backwards), a[0].motion, length, width, backwards, from);
 }
 
-std::optional<double> turning_parting(const TurningParts& a, const TurningParts& b, double from,
-                                      double length, double width) {
-  return ContactFinder(BoxPair(a, b, length, false), length, width).parting(from);
+std::optional<double> turning_parting(const TurningParts& a, const TurningParts& b, double from) {
+  return ContactFinder(BoxPair(a, b, 1, false), 1, kTurningWidth).parting(from);
 }
 
 }  // namespace flatray

@@ -49,23 +49,21 @@ struct TurningContact {
 TurningContact turning_contact(const TurningBody& a, const TurningBody& b, double length,
                                double width, bool backwards = false, double from = 0);
 
-/// When two bodies that overlap at `from` are first known to be apart again, up to `length`.
+/// When two bodies that overlap at `from` are first known to be apart again, up to t = 1.
 ///
-/// Needs   as turning_contact; from in [0, length).
-/// Gives   proven: until some `width` before they have inner points in common without a break but for
-///         times of about `width` that leave a doubt, and then they are apart. nullopt where they are
+/// Needs   as turning_contact; from in [0, 1).
+/// Gives   proven: until some kTurningWidth before they have inner points in common without a break but for
+///         times of about that width that leave a doubt, and then they are apart. nullopt where they are
 ///         never known to be, or not after kMostPartingSteps.
 /// Source  as turning_contact, with gaps that stay negative in place of such that stay positive.
-std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from,
-                                      double length, double width);
+std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from);
 
 /// The same of the upright boxes around two bodies of several parts, all of one motion. Boxes without
 /// area are undecided where they meet.
 using TurningParts = std::vector<TurningBody>;
 TurningContact turning_contact(const TurningParts& a, const TurningParts& b, double length,
                                double width, bool backwards = false, double from = 0);
-std::optional<double> turning_parting(const TurningParts& a, const TurningParts& b, double from,
-                                      double length, double width);
+std::optional<double> turning_parting(const TurningParts& a, const TurningParts& b, double from);
 
 /// Width asked for the times of shapes that turn.
 inline constexpr double kTurningWidth = 0x1p-40;
