@@ -12,8 +12,10 @@ namespace {
 template <class Number>
 class Factors {
  public:
-  Factors(const Couplings<Number>& m, const std::vector<std::size_t>& chosen) : chosen_(chosen) {
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
+  Factors(const Couplings<Number>& m, const std::vector<bool>& in) {
+    for (std::size_t i = 0; i < in.size(); ++i)
+      if (in[i]) chosen_.push_back(i);
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
       fill(m, i);
       factor(i);
     }
@@ -27,7 +29,7 @@ class Factors {
     return sum;
   }
 
-  // The chosen z of M z = -q.
+  // The z of M z = -q in those rows, of which all others are 0.
   std::vector<Number> solve(const std::vector<Number>& q) const {
     std::vector<Number> z;
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
@@ -39,7 +41,9 @@ class Factors {
       for (std::size_t k = i + 1; k < z.size(); ++k)
         if (first_[k] <= i) z[i] -= hangs_[i] ? Number(0) : row(k, i) * z[k];
     }
-    return z;
+    std::vector<Number> all(q.size(), Number(0));
+    for (std::size_t i = 0; i < z.size(); ++i) all[chosen_[i]] = std::move(z[i]);
+    return all;
   }
 
  private:
@@ -48,7 +52,7 @@ class Factors {
   void fill(const Couplings<Number>& m, std::size_t i) {
     std::vector<std::pair<std::size_t, Number>> entries;
     for (const auto& [column, value] : m[chosen_[i]]) {
-      const auto at = std::lower_bound(chosen_.begin(), chosen_.end(), column);
+      const auto at = std::ranges::lower_bound(chosen_, column);
       if (at == chosen_.end() || *at > chosen_[i] || *at != column) continue;
       entries.emplace_back(at - chosen_.begin(), value);
     }
@@ -77,27 +81,12 @@ class Factors {
     diagonal_.push_back(mine.back());
   }
 
-  const std::vector<std::size_t>& chosen_;
+  std::vector<std::size_t> chosen_;
   std::vector<std::vector<Number>> rows_;
   std::vector<std::size_t> first_;
   std::vector<Number> diagonal_;
   std::vector<bool> hangs_;
 };
-
-// z of the unknowns that are `in`, and 0 of the others; adds to `work`.
-template <class Number>
-std::vector<Number> solve(const Couplings<Number>& m, const std::vector<Number>& q,
-                          const std::vector<bool>& in, double& work) {
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < in.size(); ++i)
-    if (in[i]) chosen.push_back(i);
-  const Factors<Number> factors(m, chosen);
-  work += factors.work();
-  const std::vector<Number> part = factors.solve(q);
-  std::vector<Number> z(q.size(), Number(0));
-  for (std::size_t i = 0; i < chosen.size(); ++i) z[chosen[i]] = part[i];
-  return z;
-}
 
 // w of all.
 template <class Number>
@@ -125,7 +114,9 @@ Complementarity<double> guess(const Couplings<double>& m, const std::vector<doub
   int patience = kPatience;
   double work = 0;
   for (std::size_t step = 0;; ++step) {
-    std::vector<double> z = solve(m, q, in, work);
+    const Factors<double> factors(m, in);
+    work += factors.work();
+    std::vector<double> z = factors.solve(q);
     if (work > kMostGuess) return {{}, std::vector<bool>(q.size(), false), false, true};
     const std::vector<double> w = result(m, q, z);
     const double least_z = -kRounding * largest(z), least_w = -kRounding * largest(q);
@@ -230,8 +221,7 @@ std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<R
     for (const auto& [column, value] : m[i]) near_m[i].emplace_back(column, nearest(value));
   }
   const std::vector<bool> in = guess(near_m, near_q).touches;
-  double work = 0;  // known to be little
-  std::vector<Rational> z = solve(m, q, in, work), w = result(m, q, z);
+  std::vector<Rational> z = Factors<Rational>(m, in).solve(q), w = result(m, q, z);
   bool proven = true;
   for (std::size_t i = 0; i < q.size(); ++i)
     proven = proven && z[i].sign() != Sign::negative && w[i].sign() != Sign::negative &&

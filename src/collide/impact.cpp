@@ -15,9 +15,6 @@ int side_of(const ImpactContact& contact, std::uint32_t body) {
   return contact.b == body ? 1 : contact.a == body ? -1 : 0;
 }
 
-Sign sign(double x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
-Sign sign(const Rational& x) { return x.sign(); }
-
 // Whether two do not come nearer to each other, whatever rounding made of normal and velocities.
 bool certainly_rest(const Vec2& a, const Vec2& b, const Vec2& normal) {
   return (normal.x() == 0 || a.x() == b.x()) && (normal.y() == 0 || a.y() == b.y());
@@ -38,7 +35,7 @@ class Solver {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto& [a, b, normal, slides] = contacts[i];
       parting_.push_back(dot(normals_[i], velocities_[b] - velocities_[a]));
-      if (slides || sign(parting_[i]) == Sign::negative) asked_.push_back(i);
+      if (slides || parting_[i] < Number(0)) asked_.push_back(i);
     }
     couple();
   }
@@ -102,7 +99,7 @@ class Solver {
     std::vector<std::vector<std::size_t>> of_body(bodies_.size());
     for (std::size_t i = 0; i < asked_.size(); ++i)
       for (const std::uint32_t body : {contacts_[asked_[i]].a, contacts_[asked_[i]].b})
-        if (sign(inverse_[body]) != Sign::zero) of_body[body].push_back(i);
+        if (inverse_[body] != Number(0)) of_body[body].push_back(i);
     couplings_.resize(asked_.size());
     std::vector<std::size_t> seen(asked_.size(), asked_.size());  // by which contact last
     for (std::size_t i = 0; i < asked_.size(); ++i) {
