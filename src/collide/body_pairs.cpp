@@ -33,7 +33,7 @@ void add(std::optional<Hit>& met, double time, Touch touch) {
   std::vector<Touch>& all = met->touches;
   if (is_before(touch.place.point, all.front().place.point)) std::swap(touch, all.front());
   const auto alike = [&](const Touch& other) { return other.place.normal == touch.place.normal; };
-  if (std::none_of(all.begin(), all.end(), alike)) all.push_back(touch);
+  if (std::ranges::none_of(all, alike)) all.push_back(touch);
 }
 
 }  // namespace

@@ -76,8 +76,7 @@ void each_overlap(std::span<const Bounds> boxes, const std::vector<bool>& left_o
   Overlaps::Numbers all, asked, others;
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
     if (!boxes[i].empty()) all.push_back(i);
-  std::sort(all.begin(), all.end(),
-            [&](std::uint32_t i, std::uint32_t k) { return boxes[i].low.x() < boxes[k].low.x(); });
+  std::ranges::sort(all, {}, [&](std::uint32_t i) { return boxes[i].low.x(); });
   for (const std::uint32_t i : all) (left_out[i] ? others : asked).push_back(i);
   Overlaps overlaps(boxes, take);
   overlaps.find(asked, all);
@@ -92,7 +91,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> overlapping_pairs(
                  pairs.emplace_back(a, b);
                  return true;
                });
-  std::sort(pairs.begin(), pairs.end());
+  std::ranges::sort(pairs);
   return pairs;
 }
 
@@ -100,8 +99,7 @@ Bounds swept(const Bounds& box, const Vec2& velocity, double length) {
   if (box.empty()) return box;
   Bounds all = box;
   const Vec2 way = velocity * length;
-  all.add(box.low + way);
-  all.add(box.high + way);
+  all.add(Bounds{box.low + way, box.high + way});
   // A product and a sum, each off by half an ulp of what goes in.
   constexpr double kUlps = 0x1p-51;
   const Vec2 room = kUlps * (all.low.cwiseAbs().cwiseMax(all.high.cwiseAbs()) + way.cwiseAbs());

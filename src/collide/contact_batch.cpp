@@ -161,9 +161,8 @@ class Block {
 
 std::uint32_t BodySet::add(std::span<const Vec2> core, double radius) {
   const auto number = static_cast<std::uint32_t>(size());
-  Bounds around;
-  for (const Vec2& p : core) around.add(p);
-  const Vec2 centre = 0.5 * around.low + 0.5 * around.high;
+  const Bounds around = box_about(core);
+  const Vec2 centre = around.centre();
   const Vec2 half = kUp * ((centre - around.low).cwiseMax(around.high - centre).array() + radius);
   vertices_.insert(vertices_.end(), core.begin(), core.end());
   begin_.push_back(vertices_.size());

@@ -56,7 +56,7 @@ bool Sandwich::refine(const std::vector<Vec2>& directions) {
     for (int i = -2 * kFiner; i <= 2 * kFiner; ++i) add(middle + i * width_ / kFiner);
   }
   width_ /= kFiner;
-  std::sort(angles_.begin(), angles_.end());
+  std::ranges::sort(angles_);
   make_rings();
   return true;
 }

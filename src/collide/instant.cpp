@@ -112,8 +112,8 @@ void Instants::add_resting(std::vector<Push>& pushes, Players& players, double t
     if (players.at(reached[i]).wall()) continue;
     for (const Resting& resting : std::vector(resting_[reached[i]])) {
       const Touch& touch = resting.touch;
-      if (std::any_of(pushes.begin(), pushes.end(),
-                      [&](const Push& push) { return push.touch.is_of_parts(touch); }))
+      if (std::ranges::any_of(pushes,
+                              [&](const Push& push) { return push.touch.is_of_parts(touch); }))
         continue;
       if (!still_rests(resting, time)) {
         forget(touch);
@@ -151,8 +151,7 @@ bool Instants::resolve(std::span<const Push> pushes, Players& players, double ti
     clusters[a.wall() ? b.cluster : a.cluster].push_back(push);
   }
   for (auto& [body, together] : clusters) {
-    std::sort(together.begin(), together.end(),
-              [](const Push& a, const Push& b) { return order_of(a.touch) < order_of(b.touch); });
+    std::ranges::sort(together, {}, [](const Push& push) { return order_of(push.touch); });
     if (together.size() == 1 && !together.front().slides)
       bounce(together.front().touch, players);
     else if (!push_together(together, players, time))

@@ -27,11 +27,9 @@ class Walk {
     const auto before = [&](std::uint32_t i, std::uint32_t k) {
       return opposite ? is_lower(ring[k], ring[i]) : is_lower(ring[i], ring[k]);
     };
-    std::rotate(numbers_.begin(), std::min_element(numbers_.begin(), numbers_.end(), before),
-                numbers_.end());
+    std::rotate(numbers_.begin(), std::ranges::min_element(numbers_, before), numbers_.end());
     left_ = numbers_.size() < 2 ? 0 : numbers_.size();
   }
-  bool done() const { return left_ == 0; }
   std::size_t size() const { return left_; }
   std::uint32_t vertex() const { return numbers_[at_]; }
   std::uint32_t next() const { return numbers_[(at_ + 1) % numbers_.size()]; }
@@ -72,14 +70,14 @@ bool spans_area(const Walk& a, const Walk& b) {
 
 Numbers turned_ring(Ring ring, Sign sense) {
   if (sense == Sign::zero) {
-    const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), is_lower);
+    const auto [low, high] = std::ranges::minmax_element(ring, is_lower);
     const auto first = static_cast<std::uint32_t>(low - ring.begin());
     const auto last = static_cast<std::uint32_t>(high - ring.begin());
     return *low == *high ? Numbers{first} : Numbers{first, last};
   }
   Numbers numbers;
   for (const std::size_t i : proper_edges(ring)) numbers.push_back(static_cast<std::uint32_t>(i));
-  if (sense == Sign::negative) std::reverse(numbers.begin(), numbers.end());
+  if (sense == Sign::negative) std::ranges::reverse(numbers);
   return numbers;
 }
 
@@ -87,8 +85,8 @@ Difference minkowski_difference(Ring a, Ring b) {
   Walk of_a(a, false), of_b(b, true);
   Difference difference{{}, spans_area(of_a, of_b)};
   difference.corners.reserve(of_a.size() + of_b.size() + 1);
-  while (!of_a.done() || !of_b.done()) {
-    const bool take_a = of_b.done() || (!of_a.done() && comes_first(of_a, of_b));
+  while (of_a.size() > 0 || of_b.size() > 0) {
+    const bool take_a = of_b.size() == 0 || (of_a.size() > 0 && comes_first(of_a, of_b));
     Walk& taken = take_a ? of_a : of_b;
     difference.corners.push_back(
         {of_a.vertex(), of_b.vertex(), take_a, taken.next(), taken.edge()});

@@ -45,8 +45,8 @@ Shape straight_walls(const Shape& chamber) {
 bool overlap(const MovingShape& a, const MovingShape& b) {
   if (part_counts(*a.shape).areas() + part_counts(*b.shape).areas() == 0) return false;
   const std::vector<MeetingPart> parts = shapes_meet(a, b, {0, 0});
-  return std::any_of(parts.begin(), parts.end(),
-                     [](const MeetingPart& part) { return part.kind == HitClass::through; });
+  return std::ranges::any_of(
+      parts, [](const MeetingPart& part) { return part.kind == HitClass::through; });
 }
 
 constexpr const char* kMovePillar =
@@ -80,9 +80,8 @@ Result<void> expect_pillars_inside(const Scene& scene) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (chamber.pillars[i].across) continue;
       const std::vector<Vec2> points = points_of(*bodies[i].shape, bodies[i].place);
-      const bool stands_in = std::all_of(points.begin(), points.end(), [&](const Vec2& point) {
-        return solids.in_chamber(point);
-      });
+      const bool stands_in =
+          std::ranges::all_of(points, [&](const Vec2& point) { return solids.in_chamber(point); });
       if (!stands_in || overlap({&walls, world_pose(state), {0, 0}}, bodies[i]))
         return fail(chamber.pillars[i].where,
                     named(chamber.pillars[i]) + " does not stand in the chamber", kMovePillar);

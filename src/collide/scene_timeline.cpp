@@ -17,10 +17,7 @@ namespace {
 
 std::string called(const Entity& entity) { return called("entity", entity.name, entity.where); }
 
-bool any_area(const std::vector<ShapePart>& parts) {
-  return std::any_of(parts.begin(), parts.end(),
-                     [](const ShapePart& part) { return has_area(part); });
-}
+bool any_area(const std::vector<ShapePart>& parts) { return std::ranges::any_of(parts, has_area); }
 
 // Whether parts have inner points in common wherever they lie together.
 bool can_overlap(const ShapePart& p, const ShapePart& q) {
@@ -41,7 +38,7 @@ void refuse_unseen(const Scene& scene, const std::vector<SimulatedBody>& bodies,
     if (!bodies[i].parts.empty() && !any_area(bodies[i].parts)) thin.push_back(i);
   for (const std::uint32_t i : thin) {
     if (bodies[i].mass == kInfinity) continue;
-    const auto unseen = std::find_if(thin.begin(), thin.end(), [&](std::uint32_t k) {
+    const auto unseen = std::ranges::find_if(thin, [&](std::uint32_t k) {
       if (k == i || (k < i && bodies[k].mass < kInfinity)) return false;  // told with k
       for (const ShapePart& p : bodies[i].parts)
         for (const ShapePart& q : bodies[k].parts)
@@ -86,7 +83,7 @@ double scale_for(const std::vector<SimulatedBody>& bodies) {
 
 // A mass given in the file is one beside areas: these are then as they are.
 bool any_mass(const Scene& scene) {
-  return std::any_of(scene.entities.begin(), scene.entities.end(), [](const Entity& entity) {
+  return std::ranges::any_of(scene.entities, [](const Entity& entity) {
     return entity.mass.has_value() && *entity.mass < kInfinity;
   });
 }
@@ -132,7 +129,7 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
   const double scale = any_mass(scene) ? 1.0 : scale_for(bodies);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     const Entity& entity = scene.entities[i];
-    const bool held = std::find(fixed.begin(), fixed.end(), entity.name) != fixed.end();
+    const bool held = std::ranges::find(fixed, entity.name) != fixed.end();
     Result<double> mass = held          ? kInfinity
                           : entity.mass ? *entity.mass
                                         : mass_by_area(entity, bodies[i].parts, scale);

@@ -65,7 +65,7 @@ class Run {
       overlaps_.push_back(pair);
       if (instants_.is_mark(pair)) left_alone_.insert(pair);
     });
-    std::sort(overlaps_.begin(), overlaps_.end());
+    std::ranges::sort(overlaps_);
   }
 
   Simulation run(std::size_t most_events) {

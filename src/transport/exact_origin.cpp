@@ -60,7 +60,7 @@ ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const Exac
 ExactOrigin ExactOrigins::at_end(const Vec2& end, std::uint32_t surface) const {
   ExactOrigin origin{end, walls_at(end)};
   std::vector<std::uint32_t>& corner = origin.corner;
-  const auto place = std::lower_bound(corner.begin(), corner.end(), surface);
+  const auto place = std::ranges::lower_bound(corner, surface);
   if (place == corner.end() || *place != surface) corner.insert(place, surface);
   return origin;
 }
@@ -77,8 +77,7 @@ bool ExactOrigins::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
   const auto on_own = [&](const auto& wall) {
     return side_of(wall, point) != outer && keeps_to_cone(wall, point, PlaceOn::inner);
   };
-  return walls_.visit(hit, on_own) &&
-         std::all_of(near.begin(), near.end(), [&](const NearWall& other) {
+  return walls_.visit(hit, on_own) && std::ranges::all_of(near, [&](const NearWall& other) {
            return walls_.visit(other.surface, [&](const auto& wall) {
              return (other.side == Sign::zero || side_of(wall, point) == other.side) &&
                     place_on(wall, point) == PlaceOn::outside &&
@@ -120,19 +119,20 @@ ExactOrigin ExactOrigins::beside_others(const Exact& exact, std::uint32_t surfac
     passing.push_back(other);
     if (near.back().hit) met.push_back(other);
   }
-  std::sort(met.begin(), met.end());
+  std::ranges::sort(met);
   if (met.size() > 1) return {nearest, std::move(met)};
   const auto point = nearest_double(
       nearest, [&](const Vec2& candidate) { return may_stand(candidate, surface, outer, near); });
   if (point) return {*point, {}};
-  std::sort(passing.begin(), passing.end());
+  std::ranges::sort(passing);
   return {nearest, std::move(passing)};
 }
 
 ExactOrigin ExactOrigins::after(const Ray& ray, const NearestHit& hit, GoesOn to) const {
   if (hit.at_end || hit.kind == HitClass::along)
     return at_end(hit_point(walls_, ray, hit), hit.surface);
-  const QuickHit quick = quick_hit(walls_, ray, hit);
+  const QuickHit quick =
+      walls_.visit(hit.surface, [&](const auto& wall) { return quick_hit(ray, wall, hit.root); });
   if (const auto origin = quick_after(ray, hit, quick, to)) return *origin;
   ExactOrigin origin =
       beside_others(exact_hit(walls_, ray, hit), hit.surface, outer_side(walls_, ray, hit, to));

@@ -8,10 +8,6 @@ ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit)
   return walls.visit(hit.surface, [&](const auto& wall) { return ExactHit(ray, wall, hit.root); });
 }
 
-QuickHit quick_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
-  return walls.visit(hit.surface, [&](const auto& wall) { return quick_hit(ray, wall, hit.root); });
-}
-
 Vec2 hit_point(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
   if (is_zero(ray.direction)) return ray.origin;
   if (hit.kind == HitClass::along && !hit.at_end) return ray.origin;

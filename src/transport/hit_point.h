@@ -9,8 +9,6 @@ namespace flatray {
 /// The exact point of a hit. Needs   a hit that is neither along a segment nor a tangent,
 /// nor of what joins an arc to its end.
 ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
-/// The same where doubles can tell.
-QuickHit quick_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
 
 /// Nearest double to each coordinate of the point hit; any hit. The end itself where a ray meets
 /// the end of a wall, and the first end ahead where it comes along it.
