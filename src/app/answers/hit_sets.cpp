@@ -1,7 +1,6 @@
-#include "app/answers/hit_sets.h"
-
 #include <fmt/core.h>
 
+#include "app/answers/hit_report.h"
 #include "base/counted.h"
 #include "base/number_text.h"
 #include "base/shown_text.h"
@@ -26,12 +25,9 @@ double length_of(const HitSet& set) {
 
 HitSet combine(const NamedRay& ray, HitOperation operation,
                const std::vector<std::vector<HitReport>>& by_entity) {
-  const auto combined = operation == HitOperation::in_any   ? &union_of
-                        : operation == HitOperation::in_all ? &intersection_of
-                                                            : &difference_of;
   HitSet set{ray, inside(by_entity.front())};
   for (std::size_t i = 1; i < by_entity.size(); ++i)
-    set.parts = combined(set.parts, inside(by_entity[i]));
+    set.parts = operation(set.parts, inside(by_entity[i]));
   return set;
 }
 

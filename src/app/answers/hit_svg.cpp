@@ -1,10 +1,9 @@
-#include "app/answers/hit_svg.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "anim/world.h"
+#include "app/answers/hit_report.h"
 #include "geom/bounds.h"
 #include "geom/clip.h"
 #include "study/plots/plot.h"

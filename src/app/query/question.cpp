@@ -4,54 +4,234 @@
 
 #include <set>
 
-#include "base/diagnostic.h"
 #include "geom/polygon.h"
 #include "geom/predicates.h"
 #include "scene/outlines/arcs.h"
 
 namespace flatray {
 
-Question::Part Question::Part::operator[](const std::string& field) const {
-  return {value->find(field), name_of(field)};
-}
+// A value in a question, and how messages name it: "walls[2].circle".
+struct QuestionPart {
+  Question& question;
+  const JsonValue* value;  // null: it is not there
+  std::string where;
 
-Question::Part Question::Part::item(std::size_t i) const {
-  return {&(*list())[i], fmt::format("{}[{}]", where, i)};
-}
+  explicit operator bool() const { return value != nullptr; }
+  QuestionPart operator[](const std::string& field) const {
+    return {question, value->find(field), where.empty() ? field : where + "." + field};
+  }
+  // The items of a list; null for anything else.
+  const Values* list() const { return std::get_if<Values>(&value->data); }
+  QuestionPart item(std::size_t i) const {
+    return {question, &(*list())[i], fmt::format("{}[{}]", where, i)};
+  }
+  void mistake(std::string_view what) const { question.mistake(where, what); }
+};
 
-bool Question::has(std::string_view name) const { return whole_.find(name) != nullptr; }
+namespace {
 
-Question::Part Question::find(std::string_view name) {
-  asked_.emplace_back(name);
-  Part part = whole()[std::string(name)];
-  if (!part) mistake(name, "is missing");
-  return part;
-}
-
-Vec2 Question::read_point(const Part& part) {
+Vec2 read_point(const QuestionPart& part) {
   const Values* items = part.list();
   if (items == nullptr || items->size() != 2) {
-    mistake(part.where, "is not a point: say [x, y]");
+    part.mistake("is not a point: say [x, y]");
     return {0, 0};
   }
   const auto x = (*items)[0].as_number(), y = (*items)[1].as_number();
-  if (!x || !y) mistake(part.where, "is not a point: both must be numbers");
+  if (!x || !y) part.mistake("is not a point: both must be numbers");
   return {x.value_or(0), y.value_or(0)};
 }
 
-double Question::read_length(const Part& part) {
+double read_length(const QuestionPart& part) {
   const auto length = part.value->as_number();
-  if (!length || *length < 0) mistake(part.where, "is not a number of 0 or more");
+  if (!length || *length < 0) part.mistake("is not a number of 0 or more");
   return length.value_or(0);
 }
 
+std::vector<Vec2> read_polygon(const QuestionPart& part) {
+  const Values* items = part.list();
+  if (items == nullptr || items->empty()) {
+    part.mistake("is not a list of points: say [[x, y], ...]");
+    return {};
+  }
+  std::vector<Vec2> corners;
+  for (std::size_t i = 0; i < items->size(); ++i) corners.push_back(read_point(part.item(i)));
+  if (const auto vertex = non_convex_vertex(corners))
+    part.item(*vertex).mistake("the polygon is not convex at this vertex");
+  return corners;
+}
+
+// Says which fields of an object are none of `known`.
+void check_fields(const QuestionPart& part, const std::vector<std::string>& known) {
+  const auto* fields = std::get_if<Fields>(&part.value->data);
+  if (fields == nullptr) return;
+  std::set<std::string_view> seen;
+  for (const auto& field : *fields) {
+    const auto wrong = [&](const std::string& what) { part[field.first].mistake(what); };
+    if (!seen.insert(field.first).second) wrong("is given twice");
+    if (std::ranges::find(known, field.first) == known.end())
+      wrong("is not a field of this question" + did_you_mean(field.first, known));
+  }
+}
+
+Circle read_circle(const QuestionPart& part) {
+  const QuestionPart centre = part["center"], radius = part["radius"];
+  if (!centre || !radius) {
+    part.mistake("needs a center and a radius");
+    return {{0, 0}, 0};
+  }
+  const double length = read_length(radius);
+  return {read_point(centre), length};
+}
+
+void read_spin(const QuestionPart& body, Question::Moving& moving) {
+  const QuestionPart spin = body["spin"], about = body["about"];
+  if (about) moving.about = read_point(about);
+  if (!spin) {
+    if (about) about.mistake("needs a spin");
+    return;
+  }
+  const auto degrees = spin.value->as_number();
+  if (!degrees) spin.mistake("is not a number");
+  moving.spin = degrees.value_or(0) * (std::numbers::pi / 180);
+}
+
+Circle read_disc(const QuestionPart& part) {
+  check_fields(part, {"center", "radius"});
+  return read_circle(part);
+}
+
+void read_whole(const QuestionPart& circle, Surfaces& walls) { walls.add(read_disc(circle)); }
+
+void read_degrees(const QuestionPart& arc, const Circle& circle, Surfaces& walls) {
+  const auto degrees = [&](const QuestionPart& part) {
+    const auto number = part ? part.value->as_number() : std::nullopt;
+    if (!number) part.mistake("is not a number of degrees, and towards is missing");
+    return number.value_or(0);
+  };
+  const double from = degrees(arc["from"]), to = degrees(arc["to"]);
+  if (!arc.question.sound()) return;
+  const double sweep = to > from ? to - from : to - from + 360;
+  if (!(sweep > 0 && sweep <= 360) || to == from)
+    return arc.mistake(
+        "from and to do not span part of a turn: say less than 360 degrees, or to = "
+        "from + 360 for all of it");
+  if (sweep == 360 || circle.radius == 0) {
+    walls.add(circle);
+    return;
+  }
+  const Vec2 first = circle.centre + circle.radius * unit_at_degrees(from);
+  const Vec2 last = circle.centre + circle.radius * unit_at_degrees(to);
+  if (!first.allFinite() || !last.allFinite()) return arc.mistake("ends beyond the doubles");
+  if (lie_in_one_direction(circle.centre, first, last))
+    return arc.mistake(
+        "has ends so near to one another, or to its centre, that doubles do not tell "
+        "their directions apart");
+  walls.add(Arc{circle, Arc::Extent::between, first, last});
+}
+
+void read_arc(const QuestionPart& arc, Surfaces& walls) {
+  check_fields(arc, {"center", "radius", "towards", "from", "to"});
+  const Circle circle = read_circle(arc);
+  const QuestionPart towards = arc["towards"];
+  if (!towards) return read_degrees(arc, circle, walls);
+  if (arc["from"] || arc["to"]) arc.mistake("says towards, or from and to, not both");
+  const Vec2 way = read_point(towards);
+  if (way == Vec2(0, 0)) towards.mistake("is zero: say where the half circle lies");
+  if (circle.radius == 0)
+    walls.add(circle);
+  else
+    walls.add(Arc{circle, Arc::Extent::half, way, {0, 0}});
+}
+
+// Of a list of 3 or 4.
+void add_bezier(const QuestionPart& part, double weight, Surfaces& walls) {
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < part.list()->size(); ++i) points.push_back(read_point(part.item(i)));
+  if (!part.question.sound()) return;
+  constexpr double kMostOfBezier = 1e200;  // beyond which products of its forms overflow
+  for (const Vec2& point : points)
+    if (point.cwiseAbs().maxCoeff() > kMostOfBezier) return part.mistake("reaches beyond 1e200");
+  Bezier curve(points);
+  curve.weight = weight;
+  if (is_on_one_line(curve)) return part.mistake("lies on a line: say a segment");
+  walls.add(curve);
+}
+
+void read_ellipse(const QuestionPart& ellipse, Surfaces& walls) {
+  check_fields(ellipse, {"center", "u", "v"});
+  std::vector<Vec2> points;
+  for (const char* name : {"center", "u", "v"}) {
+    const QuestionPart point = ellipse[name];
+    if (!point) return ellipse.mistake("needs a center and two half-diameters u and v");
+    points.push_back(read_point(point));
+  }
+  if (cross_sign(points[1], points[2]) == Sign::zero)
+    return ellipse.mistake("has half-diameters u and v that are parallel");
+  walls.add(Arc{{points[0], points[1], points[2]}, Arc::Extent::whole, {0, 0}, {0, 0}});
+}
+
+void read_bezier(const QuestionPart& part, Surfaces& walls) {
+  const Values* items = part.list();
+  if (items == nullptr || (items->size() != 3 && items->size() != 4))
+    return part.mistake("is not a list of 3 or 4 control points");
+  add_bezier(part, 1, walls);
+}
+
+void read_conic(const QuestionPart& conic, Surfaces& walls) {
+  check_fields(conic, {"points", "weight"});
+  const QuestionPart points = conic["points"], weight = conic["weight"];
+  if (!points || !weight) return conic.mistake("needs 3 points and a weight");
+  const auto number = weight.value->as_number();
+  if (!number || !Bezier::is_in_range(*number))
+    weight.mistake("is not a number from 1e-12 to 1e12");
+  if (points.list() == nullptr || points.list()->size() != 3)
+    return points.mistake("is not a list of 3 control points");
+  add_bezier(points, number.value_or(1), walls);
+}
+
+void read_segment(const QuestionPart& ends, Surfaces& walls) {
+  if (ends.list() == nullptr || ends.list()->size() != 2)
+    return ends.mistake("is not a pair of points");
+  walls.add(Segment{read_point(ends.item(0)), read_point(ends.item(1))});
+}
+
+void read_wall(const QuestionPart& wall, Surfaces& walls) {
+  using Read = void (*)(const QuestionPart&, Surfaces&);
+  static constexpr std::pair<const char*, Read> kWalls[] = {
+      {"segment", &read_segment}, {"circle", &read_whole},  {"arc", &read_arc},
+      {"ellipse", &read_ellipse}, {"bezier", &read_bezier}, {"conic", &read_conic}};
+  std::vector<std::string> names;
+  for (const auto& [name, read] : kWalls) names.emplace_back(name);
+  check_fields(wall, names);
+  std::size_t found = 0;
+  for (const auto& [name, read] : kWalls)
+    if (const QuestionPart part = wall[name]; part && ++found == 1) read(part, walls);
+  if (found > 1)
+    wall.mistake("is a segment, a circle, an arc, an ellipse, a bezier or a conic: one of them");
+  if (found == 0)
+    wall.mistake(
+        "is not a wall: say {\"segment\": [[x1, y1], [x2, y2]]}, {\"circle\": ...}, "
+        "{\"arc\": ...}, {\"ellipse\": ...}, {\"bezier\": ...} or {\"conic\": ...}");
+}
+
+}  // namespace
+
+bool Question::has(std::string_view name) const { return whole_.find(name) != nullptr; }
+
+QuestionPart Question::find(std::string_view name) {
+  asked_.emplace_back(name);
+  const QuestionPart part{*this, whole_.find(name), std::string(name)};
+  if (!part) part.mistake("is missing");
+  return part;
+}
+
 Vec2 Question::point(std::string_view name) {
-  const Part part = find(name);
+  const QuestionPart part = find(name);
   return part ? read_point(part) : Vec2(0, 0);
 }
 
 std::string Question::word(std::string_view name) {
-  const Part part = find(name);
+  const QuestionPart part = find(name);
   if (!part) return "";
   const auto text = part.value->as_text();
   if (!text) mistake(name, "is not text");
@@ -59,7 +239,7 @@ std::string Question::word(std::string_view name) {
 }
 
 std::uint64_t Question::whole(std::string_view name) {
-  const Part part = find(name);
+  const QuestionPart part = find(name);
   if (!part) return 0;
   const auto number = part.value->as_whole();
   if (!number) mistake(name, "is not a whole number of 0 or more");
@@ -79,37 +259,24 @@ Range Question::domain(const char* line, const char* ray, const char* segment) {
 }
 
 std::vector<Vec2> Question::polygon(std::string_view name) {
-  const Part part = find(name);
+  const QuestionPart part = find(name);
   return part ? read_polygon(part) : std::vector<Vec2>{};
 }
 
-std::vector<Vec2> Question::read_polygon(const Part& part) {
-  const Values* items = part.list();
-  if (items == nullptr || items->empty()) {
-    mistake(part.where, "is not a list of points: say [[x, y], ...]");
-    return {};
-  }
-  std::vector<Vec2> corners;
-  for (std::size_t i = 0; i < items->size(); ++i) corners.push_back(read_point(part.item(i)));
-  if (const auto vertex = non_convex_vertex(corners))
-    mistake(part.item(*vertex).where, "the polygon is not convex at this vertex");
-  return corners;
-}
-
 Question::Moving Question::moving(std::string_view name) {
-  const Part part = find(name);
-  if (!part) return {{}, {0, 0}};
+  const QuestionPart part = find(name);
+  if (!part) return {};
   check_fields(part, {"polygon", "disc", "radius", "velocity", "spin", "about"});
-  const Part polygon = part["polygon"], disc = part["disc"], velocity = part["velocity"],
-             radius = part["radius"];
+  const QuestionPart polygon = part["polygon"], disc = part["disc"], velocity = part["velocity"],
+                     radius = part["radius"];
   if (!polygon == !disc || !velocity) {
-    mistake(part.where, "needs a velocity, and a polygon or a disc");
-    return {{}, {0, 0}};
+    part.mistake("needs a velocity, and a polygon or a disc");
+    return {};
   }
   Moving body{{}, read_point(velocity)};
   if (disc) {
     check_fields(disc, {"center", "radius"});
-    if (radius) mistake(radius.where, "stands in the disc");
+    if (radius) radius.mistake("stands in the disc");
     const Circle circle = read_circle(disc);
     body.polygon = {circle.centre};
     body.radius = circle.radius;
@@ -121,171 +288,14 @@ Question::Moving Question::moving(std::string_view name) {
   return body;
 }
 
-void Question::read_spin(const Part& body, Moving& moving) {
-  const Part spin = body["spin"], about = body["about"];
-  if (about) moving.about = read_point(about);
-  if (!spin) {
-    if (about) mistake(about.where, "needs a spin");
-    return;
-  }
-  const auto degrees = spin.value->as_number();
-  if (!degrees) mistake(spin.where, "is not a number");
-  moving.spin = degrees.value_or(0) * (std::numbers::pi / 180);
-}
-
-// Says which fields of an object are none of `known`.
-void Question::check_fields(const Part& part, const std::vector<std::string>& known) {
-  const auto* fields = std::get_if<Fields>(&part.value->data);
-  if (fields == nullptr) return;
-  std::set<std::string_view> seen;
-  for (const auto& field : *fields) {
-    if (!seen.insert(field.first).second) mistake(part.name_of(field.first), "is given twice");
-    if (std::ranges::find(known, field.first) == known.end())
-      mistake(part.name_of(field.first),
-              "is not a field of this question" + did_you_mean(field.first, known));
-  }
-}
-
-Circle Question::read_circle(const Part& part) {
-  const Part centre = part["center"], radius = part["radius"];
-  if (!centre || !radius) {
-    mistake(part.where, "needs a center and a radius");
-    return {{0, 0}, 0};
-  }
-  const double length = read_length(radius);
-  return {read_point(centre), length};
-}
-
 Circle Question::disc(std::string_view name) {
-  const Part part = find(name);
-  if (!part) return {{0, 0}, 0};
-  check_fields(part, {"center", "radius"});
-  return read_circle(part);
-}
-
-void Question::read_whole(const Part& circle, Surfaces& walls) {
-  check_fields(circle, {"center", "radius"});
-  walls.add(read_circle(circle));
-}
-
-void Question::read_arc(const Part& arc, Surfaces& walls) {
-  check_fields(arc, {"center", "radius", "towards", "from", "to"});
-  const Circle circle = read_circle(arc);
-  const Part towards = arc["towards"];
-  if (!towards) return read_degrees(arc, circle, walls);
-  if (arc["from"] || arc["to"]) mistake(arc.where, "says towards, or from and to, not both");
-  const Vec2 way = read_point(towards);
-  if (way == Vec2(0, 0)) mistake(towards.where, "is zero: say where the half circle lies");
-  if (circle.radius == 0)
-    walls.add(circle);
-  else
-    walls.add(Arc{circle, Arc::Extent::half, way, {0, 0}});
-}
-
-void Question::read_degrees(const Part& arc, const Circle& circle, Surfaces& walls) {
-  const auto degrees = [&](const Part& part) {
-    const auto number = part ? part.value->as_number() : std::nullopt;
-    if (!number) mistake(part.where, "is not a number of degrees, and towards is missing");
-    return number.value_or(0);
-  };
-  const double from = degrees(arc["from"]), to = degrees(arc["to"]);
-  if (!sound()) return;
-  const double sweep = to > from ? to - from : to - from + 360;
-  if (!(sweep > 0 && sweep <= 360) || to == from)
-    return mistake(arc.where,
-                   "from and to do not span part of a turn: say less than 360 degrees, or to = "
-                   "from + 360 for all of it");
-  if (sweep == 360 || circle.radius == 0) {
-    walls.add(circle);
-    return;
-  }
-  const Vec2 first = circle.centre + circle.radius * unit_at_degrees(from);
-  const Vec2 last = circle.centre + circle.radius * unit_at_degrees(to);
-  if (!first.allFinite() || !last.allFinite()) return mistake(arc.where, "ends beyond the doubles");
-  if (lie_in_one_direction(circle.centre, first, last))
-    return mistake(arc.where,
-                   "has ends so near to one another, or to its centre, that doubles do not tell "
-                   "their directions apart");
-  walls.add(Arc{circle, Arc::Extent::between, first, last});
-}
-
-void Question::read_ellipse(const Part& ellipse, Surfaces& walls) {
-  check_fields(ellipse, {"center", "u", "v"});
-  std::vector<Vec2> points;
-  for (const char* name : {"center", "u", "v"}) {
-    const Part point = ellipse[name];
-    if (!point) return mistake(ellipse.where, "needs a center and two half-diameters u and v");
-    points.push_back(read_point(point));
-  }
-  if (cross_sign(points[1], points[2]) == Sign::zero)
-    return mistake(ellipse.where, "has half-diameters u and v that are parallel");
-  walls.add(Arc{{points[0], points[1], points[2]}, Arc::Extent::whole, {0, 0}, {0, 0}});
-}
-
-void Question::read_bezier(const Part& part, Surfaces& walls) {
-  const Values* items = part.list();
-  if (items == nullptr || (items->size() != 3 && items->size() != 4))
-    return mistake(part.where, "is not a list of 3 or 4 control points");
-  add_bezier(part, 1, walls);
-}
-
-void Question::read_conic(const Part& conic, Surfaces& walls) {
-  check_fields(conic, {"points", "weight"});
-  const Part points = conic["points"], weight = conic["weight"];
-  if (!points || !weight) return mistake(conic.where, "needs 3 points and a weight");
-  const auto number = weight.value->as_number();
-  if (!number || !Bezier::is_in_range(*number))
-    mistake(weight.where, "is not a number from 1e-12 to 1e12");
-  if (points.list() == nullptr || points.list()->size() != 3)
-    return mistake(points.where, "is not a list of 3 control points");
-  add_bezier(points, number.value_or(1), walls);
-}
-
-// Of a list of 3 or 4.
-void Question::add_bezier(const Part& part, double weight, Surfaces& walls) {
-  std::vector<Vec2> points;
-  for (std::size_t i = 0; i < part.list()->size(); ++i) points.push_back(read_point(part.item(i)));
-  if (!sound()) return;
-  constexpr double kMostOfBezier = 1e200;  // beyond which products of its forms overflow
-  for (const Vec2& point : points)
-    if (point.cwiseAbs().maxCoeff() > kMostOfBezier)
-      return mistake(part.where, "reaches beyond 1e200");
-  Bezier curve(points);
-  curve.weight = weight;
-  if (is_on_one_line(curve)) return mistake(part.where, "lies on a line: say a segment");
-  walls.add(curve);
-}
-
-void Question::read_segment(const Part& ends, Surfaces& walls) {
-  if (ends.list() == nullptr || ends.list()->size() != 2)
-    return mistake(ends.where, "is not a pair of points");
-  walls.add(Segment{read_point(ends.item(0)), read_point(ends.item(1))});
-}
-
-void Question::read_wall(const Part& wall, Surfaces& walls) {
-  using Read = void (Question::*)(const Part&, Surfaces&);
-  static constexpr std::pair<const char*, Read> kKinds[] = {
-      {"segment", &Question::read_segment}, {"circle", &Question::read_whole},
-      {"arc", &Question::read_arc},         {"ellipse", &Question::read_ellipse},
-      {"bezier", &Question::read_bezier},   {"conic", &Question::read_conic}};
-  std::vector<std::string> names;
-  for (const auto& [name, read] : kKinds) names.emplace_back(name);
-  check_fields(wall, names);
-  std::size_t found = 0;
-  for (const auto& [name, read] : kKinds)
-    if (const Part part = wall[name]; part && ++found == 1) (this->*read)(part, walls);
-  if (found > 1)
-    mistake(wall.where,
-            "is a segment, a circle, an arc, an ellipse, a bezier or a conic: one of them");
-  if (found == 0)
-    mistake(wall.where,
-            "is not a wall: say {\"segment\": [[x1, y1], [x2, y2]]}, {\"circle\": ...}, "
-            "{\"arc\": ...}, {\"ellipse\": ...}, {\"bezier\": ...} or {\"conic\": ...}");
+  const QuestionPart part = find(name);
+  return part ? read_disc(part) : Circle{{0, 0}, 0};
 }
 
 Surfaces Question::walls(std::string_view name) {
   Surfaces walls;
-  const Part part = find(name);
+  const QuestionPart part = find(name);
   if (!part) return walls;
   const Values* items = part.list();
   if (items == nullptr) mistake(name, "is not a list of walls");
@@ -302,7 +312,7 @@ void Question::mistake(std::string_view where, std::string_view what) {
 std::string Question::mistakes() {
   std::vector<std::string> known = asked_;
   known.insert(known.end(), {"id", "op"});
-  check_fields(whole(), known);
+  check_fields({*this, &whole_, ""}, known);
   return mistakes_;
 }
 

@@ -10,6 +10,8 @@
 
 namespace flatray {
 
+struct QuestionPart;
+
 /// The fields of one question, read by name. A field that is absent or wrong gives a value of no
 /// meaning and a mistake that names it; answers are not to be used where there are mistakes.
 class Question {
@@ -37,7 +39,7 @@ class Question {
   /// unit of t it turns about the point "about", [0, 0] where that is not said.
   struct Moving {
     std::vector<Vec2> polygon;
-    Vec2 velocity;
+    Vec2 velocity{0, 0};
     double radius = 0;
     double spin = 0;  ///< radians
     Vec2 about{0, 0};
@@ -59,38 +61,8 @@ class Question {
   std::string mistakes();
 
  private:
-  // A value in the question, and how messages name it: "walls[2].circle".
-  struct Part {
-    const JsonValue* value;  // null: it is not there
-    std::string where;
-
-    explicit operator bool() const { return value != nullptr; }
-    Part operator[](const std::string& field) const;
-    // What messages call a field of it.
-    std::string name_of(const std::string& field) const {
-      return where.empty() ? field : where + "." + field;
-    }
-    // The items of a list; null for anything else.
-    const Values* list() const { return std::get_if<Values>(&value->data); }
-    Part item(std::size_t i) const;
-  };
-  Part whole() const { return {&whole_, ""}; }
-  Part find(std::string_view name);
-  void check_fields(const Part& part, const std::vector<std::string>& known);
-  Vec2 read_point(const Part& part);
-  double read_length(const Part& part);
-  std::vector<Vec2> read_polygon(const Part& part);
-  Circle read_circle(const Part& part);
-  void read_spin(const Part& body, Moving& moving);
-  void read_whole(const Part& circle, Surfaces& walls);
-  void read_ellipse(const Part& ellipse, Surfaces& walls);
-  void read_bezier(const Part& points, Surfaces& walls);
-  void read_conic(const Part& conic, Surfaces& walls);
-  void add_bezier(const Part& points, double weight, Surfaces& walls);
-  void read_segment(const Part& ends, Surfaces& walls);
-  void read_arc(const Part& arc, Surfaces& walls);
-  void read_degrees(const Part& arc, const Circle& circle, Surfaces& walls);
-  void read_wall(const Part& wall, Surfaces& walls);
+  // The field of that name, with a mistake where it is missing.
+  QuestionPart find(std::string_view name);
 
   const JsonValue& whole_;
   const Precision precision_;

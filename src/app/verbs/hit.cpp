@@ -4,11 +4,8 @@
 
 #include "anim/rays.h"
 #include "app/answers/hit_report.h"
-#include "app/answers/hit_sets.h"
-#include "app/answers/hit_svg.h"
 #include "app/files/scene_input.h"
 #include "app/options/option_values.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "scene/names.h"
 
@@ -44,7 +41,7 @@ struct Options : Arguments {
     scene.rows(row);
     row.excludes("ray", {"from"});
     row.excludes("op", {"svg"});
-    if (operation == HitOperation::in_first_alone && against.empty())
+    if (operation == &difference_of && against.empty())
       row.problem("op", "needs an entity to take the others from", "add --against ENTITY");
   }
 };
@@ -118,7 +115,7 @@ std::vector<std::uint32_t> asked_about(const std::vector<Question>& questions) {
 std::vector<std::uint32_t> operands_of(HitOperation operation, const Question& question,
                                        const Scene& scene) {
   std::vector<std::uint32_t> entities = question.against;
-  if (operation != HitOperation::in_first_alone) return entities;
+  if (operation != &difference_of) return entities;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
     if (i != question.against.front() && question.from != i) entities.push_back(i);
   return entities;
@@ -183,14 +180,12 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb entry = {"hit",
-                           "SCENE",
+extern const Verb entry = {"hit", "SCENE",
                            "show which parts of rays lie inside each shape, edge by edge",
                            kCommand<Options, &run>,
                            "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
                            "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n"
                            "  flatray hit scene.toml --ray 1,2,22,10 --svg > hit.svg\n"
-                           "  flatray hit scene.toml --ray 1,2,22,10 --op intersection\n",
-                           ""};
+                           "  flatray hit scene.toml --ray 1,2,22,10 --op intersection\n"};
 
 }  // namespace flatray::hit_verb

@@ -1,8 +1,7 @@
 // needs: shapes/segment shapes/polygon shapes/convex
-#include "app/answers/hit_svg.h"
-
 #include <gtest/gtest.h>
 
+#include "app/answers/hit_report.h"
 #include "study/xml.h"
 #include "support/pictures.h"
 
