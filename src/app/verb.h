@@ -14,9 +14,9 @@ struct Verb {
   const char* operands;  ///< as shown in the usage line, and how many: "SCENE...", "[KIND]"
   const char* summary;   ///< one line, no full stop
   Command command;
-  const char* examples;   ///< lines of `flatray help VERB`, "" for none
-  const char* undone;     ///< what a failure leaves: "nothing rendered", "" for nothing to say
-  Words words = nullptr;  ///< what the first operand may be, where that is a list of names
+  const char* examples;     ///< lines of `flatray help VERB`, "" for none
+  const char* undone = "";  ///< what a failure leaves: "nothing rendered", "" for nothing to say
+  Words words = nullptr;    ///< what the first operand may be, where that is a list of names
   /// What a stopped run leaves for another to go on from; null: nothing, so it is stopped at once.
   const char* kept = nullptr;
   std::size_t hidden_operands = 0;  ///< at most, beside those shown

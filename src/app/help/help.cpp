@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/options/option_values.h"
 #include "base/table.h"
 #include "scene/reading/vocabulary.h"
 
@@ -24,11 +25,6 @@ std::string kind_of(const TableInfo& table) {
   return "";
 }
 
-std::string summary_of(const TableInfo& table) {
-  const std::string kind = kind_of(table);
-  return kind.empty() ? "keys of the table" : "arguments of the " + kind;
-}
-
 std::string title_of(const TableInfo& table) {
   const std::string kind = kind_of(table);
   if (!kind.empty()) return fmt::format("{} = {{ {} = {{ ... }} }}", kind, KindInfo::name(table));
@@ -44,12 +40,11 @@ std::string table_text(const TableInfo& table) {
 }
 
 std::vector<TableInfo> tables_named(std::string_view names) {
-  std::vector<TableInfo> found;
-  for (TableInfo& table : vocabulary()) {
-    const std::string padded = fmt::format(" {} ", names);
-    if (padded.find(fmt::format(" {} ", table.table)) != std::string::npos)
-      found.push_back(std::move(table));
-  }
+  const std::vector<std::string_view> wanted = split(names, ' ');
+  std::vector<TableInfo> found = vocabulary();
+  std::erase_if(found, [&](const TableInfo& table) {
+    return std::ranges::find(wanted, table.table) == wanted.end();
+  });
   return found;
 }
 
@@ -72,20 +67,11 @@ void add_name(std::vector<std::string>& names, std::string name) {
 
 }  // namespace
 
-std::vector<Topic> help_topics() {
-  std::vector<Topic> topics;
-  for (const WrittenTopic& one : written_topics()) topics.push_back({one.name, one.summary});
-  for (const TableInfo& table : vocabulary()) {
-    if (std::ranges::find(topics, table.table, &Topic::name) == topics.end())
-      topics.push_back({table.table, summary_of(table)});
-  }
-  return topics;
-}
-
 std::vector<std::string> help_names() {
   std::vector<std::string> names;
   for (const Verb* verb : all_verbs()) add_name(names, verb->name);
-  for (const Topic& topic : help_topics()) add_name(names, topic.name);
+  for (const WrittenTopic& topic : written_topics()) add_name(names, topic.name);
+  for (const TableInfo& table : vocabulary()) add_name(names, table.table);
   return names;
 }
 

@@ -6,16 +6,8 @@
 
 namespace flatray {
 
-/// A page of `flatray help`: something about the whole program, a table of the scene language or a
-/// shape. Verbs are the other pages.
-struct Topic {
-  std::string name, summary;
-};
-
-/// All topics: those written (app/help/topics.cpp), then every table and shape of the language.
-std::vector<Topic> help_topics();
-
-/// Names `flatray help` takes: verbs and topics, each once.
+/// Names `flatray help` takes: verbs, the topics written (app/help/topics.cpp), and every table and
+/// shape of the scene language, each once.
 std::vector<std::string> help_names();
 
 /// Text of `flatray help`, of `flatray help VERB` and of `flatray help TOPIC`.

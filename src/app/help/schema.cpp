@@ -21,6 +21,22 @@ JsonValue reference(const std::string& definition) {
   return Fields{{"$ref", "#/definitions/" + definition}};
 }
 
+// An object with no other properties.
+Fields object_with(Fields properties, Values required = {}, Fields patterns = {}) {
+  Fields fields{{"type", "object"}, {"properties", std::move(properties)}};
+  if (!patterns.empty()) fields.emplace_back("patternProperties", std::move(patterns));
+  if (!required.empty()) fields.emplace_back("required", std::move(required));
+  fields.emplace_back("additionalProperties", false);
+  return fields;
+}
+
+// An object with exactly one of some properties.
+Fields one_of(Fields properties) {
+  Fields fields = object_with(std::move(properties));
+  fields.insert(fields.end(), {{"minProperties", 1}, {"maxProperties", 1}});
+  return fields;
+}
+
 // The key of a table while its schema is made.
 struct Site {
   const std::vector<TableInfo>& tables;
@@ -66,10 +82,7 @@ JsonValue own_table_schema(const Site& site, const Takes& takes) {
     required.emplace_back(key);
   }
   if (properties.empty()) return properties;
-  return Fields{{"type", "object"},
-                {"properties", std::move(properties)},
-                {"required", std::move(required)},
-                {"additionalProperties", false}};
+  return object_with(std::move(properties), std::move(required));
 }
 
 bool is_kind(std::string_view placeholder) {
@@ -149,10 +162,7 @@ JsonValue drawn_schema(const Site& site, const std::vector<Takes>& all) {
   for (const Takes& one : all) values.push_back(one_schema(site, one));
   if (std::ranges::any_of(all, is_number)) values.push_back(reference("drawn"));
   Fields choice{{"type", "array"}, {"items", Fields{{"anyOf", values}}}, {"minItems", 1}};
-  values.push_back(Fields{{"type", "object"},
-                          {"properties", Fields{{"choice", std::move(choice)}}},
-                          {"required", Values{"choice"}},
-                          {"additionalProperties", false}});
+  values.push_back(object_with({{"choice", std::move(choice)}}, {"choice"}));
   return Fields{{"anyOf", std::move(values)}};
 }
 
@@ -160,11 +170,7 @@ JsonValue drawn_schema(const Site& site, const std::vector<Takes>& all) {
 JsonValue distribution_schema() {
   const Fields pair{
       {"type", "array"}, {"items", of_type("number")}, {"minItems", 2}, {"maxItems", 2}};
-  return Fields{{"type", "object"},
-                {"properties", Fields{{"uniform", pair}, {"normal", pair}}},
-                {"additionalProperties", false},
-                {"minProperties", 1},
-                {"maxProperties", 1}};
+  return one_of({{"uniform", pair}, {"normal", pair}});
 }
 
 // Whether it is a curve, or a list of what may be.
@@ -218,11 +224,7 @@ Fields table_fields(const std::vector<TableInfo>& tables, const std::string& nam
     properties.emplace_back(key.name, key_schema(site, key));
     if (key.fallback == kRequired) required.emplace_back(key.name);
   }
-  Fields fields{{"type", "object"}, {"properties", std::move(properties)}};
-  if (!patterns.empty()) fields.emplace_back("patternProperties", std::move(patterns));
-  if (!required.empty()) fields.emplace_back("required", std::move(required));
-  fields.emplace_back("additionalProperties", false);
-  return fields;
+  return object_with(std::move(properties), std::move(required), std::move(patterns));
 }
 
 // Exactly one kind.
@@ -230,11 +232,7 @@ JsonValue kind_schema(const KindInfo& kind) {
   Fields all;
   for (const TableInfo& one : kind.tables)
     all.emplace_back(KindInfo::name(one), reference(definition_of(kind, one)));
-  return Fields{{"type", "object"},
-                {"properties", std::move(all)},
-                {"additionalProperties", false},
-                {"minProperties", 1},
-                {"maxProperties", 1}};
+  return one_of(std::move(all));
 }
 
 }  // namespace

@@ -43,6 +43,16 @@ std::string range_text(std::uint64_t low, std::uint64_t high, const std::string&
   return fmt::format(" ({}{}{})", range, range.empty() || last.empty() ? "" : ", ", last);
 }
 
+Result<std::uint64_t> whole_of(const std::string& text, const Place& where, std::uint64_t low,
+                               std::uint64_t high) {
+  const std::optional<std::uint64_t> value = parse_whole(text);
+  if (value && *value >= low && *value <= high) return *value;
+  return usage_error(where,
+                     value ? fmt::format("{} is out of range", text)
+                           : fmt::format("'{}' is not a whole number", text),
+                     fmt::format("say a number from {} to {}", low, high));
+}
+
 std::string default_text(double value) { return number_text(value); }
 
 std::string OptionTable::operand(std::size_t index) const {
@@ -57,28 +67,6 @@ void OptionTable::operator()(const char* spelling, std::string help, Words words
 void OptionTable::operator()(const char* spelling, std::string help, bool& member) {
   (*this)(spelling, std::move(help));
   member = member || has(options_.back().name);
-}
-
-std::optional<std::uint64_t> OptionTable::whole(std::uint64_t low, std::uint64_t high) {
-  const std::string& name = options_.back().name;
-  if (!has(name)) return std::nullopt;
-  const std::string text = *given_->text(name);
-  const std::optional<std::uint64_t> value = parse_whole(text);
-  if (value && *value >= low && *value <= high) return value;
-  problem(name,
-          value ? fmt::format("{} is out of range", text)
-                : fmt::format("'{}' is not a whole number", text),
-          fmt::format("say a number from {} to {}", low, high));
-  return std::nullopt;
-}
-
-std::optional<std::size_t> OptionTable::word(const std::vector<std::string>& known) {
-  const std::string& name = options_.back().name;
-  if (!has(name)) return std::nullopt;
-  const auto index = word_of(*given_->text(name), given_->where(name), known);
-  if (index) return *index;
-  keep(index.error());
-  return std::nullopt;
 }
 
 void OptionTable::problem(std::string_view name, std::string message, std::string hint) {

@@ -21,6 +21,14 @@ std::string default_text(const T&) {
   return {};
 }
 
+/// A whole number in [low, high].
+/// Error   Trouble::usage.
+Result<std::uint64_t> whole_of(const std::string& text, const Place& where, std::uint64_t low,
+                               std::uint64_t high);
+
+/// Gives a text as it is.
+inline Result<std::string> as_text(const std::string& text, const Place&) { return text; }
+
 /// A row without a value of its own, which several verbs have.
 struct SharedRow {
   const char *spelling, *help;
@@ -62,8 +70,7 @@ class OptionTable {
   template <class M>
   requires std::same_as<M, std::string> || std::same_as<M, std::optional<std::string>>
   void operator()(const char* spelling, const std::string& help, M& member) {
-    (*this)(spelling, help, member,
-            [](const std::string& text, const Place&) -> Result<std::string> { return text; });
+    (*this)(spelling, help, member, &as_text);
   }
 
   /// A whole number in [low, high].
@@ -71,7 +78,11 @@ class OptionTable {
   void operator()(const char* spelling, const std::string& help, M& member, std::uint64_t low,
                   std::uint64_t high) {
     (*this)(spelling, help + range_text(low, high, default_text(member)));
-    if (const auto value = whole(low, high)) member = static_cast<typename Inner<M>::Type>(*value);
+    read(options_.back().name, member, [&](const std::string& text, const Place& where) {
+      return whole_of(text, where, low, high).map([](std::uint64_t value) {
+        return static_cast<decltype(held(member))>(value);
+      });
+    });
   }
 
   /// One of some words, which the row shows: `spelling` names none.
@@ -86,7 +97,9 @@ class OptionTable {
       if (otherwise.empty() && member == value) otherwise = fmt_default(word);
     }
     (*this)((spelling + " " + shown).c_str(), std::move(help) + otherwise);
-    if (const auto index = word(known)) member = words[*index].second;
+    read(options_.back().name, member, [&](const std::string& text, const Place& where) {
+      return word_of(text, where, known).map([&](std::size_t i) { return words[i].second; });
+    });
   }
 
   /// What `take(text, place)` makes of it.
@@ -129,19 +142,13 @@ class OptionTable {
   void keep(const Diagnostics& problems);
 
  private:
+  // The type of what a member holds.
   template <class T>
-  struct Inner {
-    using Type = T;
-  };
+  static T held(const T& member);
   template <class T>
-  struct Inner<std::optional<T>> {
-    using Type = T;
-  };
+  static T held(const std::optional<T>& member);
 
   static std::string fmt_default(const std::string& value) { return " (default " + value + ")"; }
-  // The last row's.
-  std::optional<std::uint64_t> whole(std::uint64_t low, std::uint64_t high);
-  std::optional<std::size_t> word(const std::vector<std::string>& known);
 
   std::vector<Option> options_;
   const Arguments* given_ = nullptr;

@@ -46,9 +46,6 @@ inline auto time_up_to(double most) {
   return [=](const std::string& text, const Place& where) { return parse_time(text, where, most); };
 }
 
-/// Gives a text as it is.
-inline Result<std::string> as_text(const std::string& text, const Place&) { return text; }
-
 /// Pieces of `text` between the characters `at`.
 std::vector<std::string_view> split(std::string_view text, char at);
 

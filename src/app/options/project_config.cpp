@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "app/options/places.h"
@@ -31,17 +32,13 @@ std::optional<std::string> text_of(const Value& value) {
   return std::nullopt;
 }
 
-struct Wrong {
-  std::string message, hint;
-};
-
 // What a key of that option gives; nullopt for a flag that is not set.
-tl::expected<std::optional<std::vector<std::string>>, Wrong> values_of(
-    const Option& option, const Value& value, const std::filesystem::path& folder) {
+Result<std::optional<std::vector<std::string>>> values_of(const Option& option,
+                                                          const Value& value) {
   const auto is_not = [&](const char* expected) {
-    return tl::unexpected(
-        Wrong{fmt::format("{} is {}, not {}", option.name, kind_name(value.kind), expected),
-              "write it as on the command line, without the dashes"});
+    return fail(value.where,
+                fmt::format("{} is {}, not {}", option.name, kind_name(value.kind), expected),
+                "write it as on the command line, without the dashes");
   };
   std::vector<std::string> texts;
   if (option.kind == OptionKind::flag) {
@@ -53,25 +50,26 @@ tl::expected<std::optional<std::vector<std::string>>, Wrong> values_of(
     const std::optional<std::string> text = text_of(item);
     if (!text) return is_not(is_list ? "a list of strings" : "a number or string");
     // Whoever wrote the folder is not the one who runs a program in it.
-    if (names_path(option.metavar) && !path_beneath(folder, *text))
-      return tl::unexpected(
-          Wrong{fmt::format("{} is '{}', outside of this folder", option.name, *text),
-                fmt::format("say --{} {} on the command line", option.name, *text)});
+    if (names_path(option.metavar) && !path_beneath(folder_of(kProjectConfig), *text))
+      return fail(value.where,
+                  fmt::format("{} is '{}', outside of this folder", option.name, *text),
+                  fmt::format("say --{} {} on the command line", option.name, *text));
     texts.push_back(*text);
   }
   return texts;
 }
 
 // With the place of each item of a list.
-Arguments::Given given_by(const Value& value, std::string file, std::vector<std::string> texts) {
-  Arguments::Given given{std::move(file), std::move(texts), value.where};
+Arguments::Given given_by(const Value& value, std::vector<std::string> texts) {
+  Arguments::Given given{kProjectConfig, std::move(texts), value.where};
   for (const Value& item : value.items) given.places.push_back(item.where);
   return given;
 }
 
 // Its text as a table; nullopt where there is none.
-Result<std::optional<SceneDesc>> read_config(const std::filesystem::path& file) {
+Result<std::optional<SceneDesc>> read_config() {
   namespace fs = std::filesystem;
+  const fs::path file = kProjectConfig;
   std::error_code missing;
   const Format* toml = find_format("toml");
   if (toml == nullptr || fs::symlink_status(file, missing).type() == fs::file_type::not_found)
@@ -87,9 +85,8 @@ Result<std::optional<SceneDesc>> read_config(const std::filesystem::path& file) 
 
 }  // namespace
 
-void add_project_config(std::span<const Option> options, Arguments& arguments,
-                        const std::filesystem::path& file) {
-  const auto parsed = read_config(file);
+void add_project_config(std::span<const Option> options, Arguments& arguments) {
+  const auto parsed = read_config();
   if (parsed && !*parsed) return;
   Diagnostics problems = parsed ? Diagnostics{} : parsed.error();
   const std::vector<std::string> known = all_options();
@@ -98,11 +95,11 @@ void add_project_config(std::span<const Option> options, Arguments& arguments,
     if (!std::ranges::binary_search(known, member.key)) {
       problems.push_back(unknown_word(member.where, "option", member.key, known));
     } else if (option != options.end()) {
-      const auto values = values_of(*option, member.value, folder_of(file));
+      const auto values = values_of(*option, member.value);
       if (!values)
-        problems.push_back({member.value.where, values.error().message, values.error().hint});
+        problems.push_back(values.error().front());
       else if (*values && (!arguments.has(member.key) || option->has_keys()))
-        arguments.add_farther(member.key, given_by(member.value, file.string(), **values));
+        arguments.add_farther(member.key, given_by(member.value, **values));
     }
   }
   for (Diagnostic& problem : problems) {

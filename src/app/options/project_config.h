@@ -1,6 +1,4 @@
 #pragma once
-#include <filesystem>
-
 #include "app/verb.h"
 
 namespace flatray {
@@ -9,11 +7,10 @@ namespace flatray {
 /// verb.
 inline constexpr const char* kProjectConfig = "flatray.toml";
 
-/// Adds what `file` says of options that neither the command line nor the environment gives; keys
+/// Adds what it says of options that neither the command line nor the environment gives; keys
 /// of other verbs are passed over. A file that is not there says nothing. To the problems of the
 /// arguments: Trouble::missing where it cannot be read or is not a plain file; Trouble::usage with
 /// the place of each key that is not an option and each value that is not one.
-void add_project_config(std::span<const Option> options, Arguments& arguments,
-                        const std::filesystem::path& file = kProjectConfig);
+void add_project_config(std::span<const Option> options, Arguments& arguments);
 
 }  // namespace flatray

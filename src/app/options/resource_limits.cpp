@@ -27,6 +27,12 @@ Result<double> parse_bytes(std::string text, const Place& where) {
   return usage_error(where, "is not a size of 16M or more", "say 500M, 2G or 2147483648");
 }
 
+rlimit limit_of_data() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_DATA, &limit);
+  return limit;
+}
+
 }  // namespace
 
 void ResourceLimits::rows(OptionTable& row) {
@@ -38,19 +44,14 @@ void ResourceLimits::rows(OptionTable& row) {
 
 void limit_resources(const ResourceLimits& limits) {
   if (limits.bytes) {
-    rlimit limit{};
-    ::getrlimit(RLIMIT_DATA, &limit);
+    rlimit limit = limit_of_data();
     limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(*limits.bytes));
     ::setrlimit(RLIMIT_DATA, &limit);
   }
   if (limits.seconds) limit_seconds(*limits.seconds);
 }
 
-std::uint64_t memory_limit() {
-  rlimit limit{};
-  ::getrlimit(RLIMIT_DATA, &limit);
-  return limit.rlim_cur;
-}
+std::uint64_t memory_limit() { return limit_of_data().rlim_cur; }
 
 Result<void> expect_memory(const Arguments& arguments, double bytes, const std::string& what,
                            const std::string& remedy) {

@@ -9,7 +9,6 @@
 #include "app/frames/profile.h"
 #include "app/interrupt.h"
 #include "app/options/option_values.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "study/accuracy/accuracy_report.h"
 

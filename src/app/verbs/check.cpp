@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include "app/files/scene_input.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/shown_text.h"
@@ -53,11 +52,8 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb entry = {"check",
-                           "SCENE...",
+extern const Verb entry = {"check", "SCENE...",
                            "read scenes and report every mistake, without drawing",
-                           kCommand<Options, &run>,
-                           "  flatray check scenes/*.toml\n",
-                           ""};
+                           kCommand<Options, &run>, "  flatray check scenes/*.toml\n"};
 
 }  // namespace flatray::check_verb

@@ -6,8 +6,6 @@
 #include "app/answers/paper_table.h"
 #include "app/files/scene_input.h"
 #include "app/frames/frames.h"
-#include "app/options/option_values.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "collide/edge_ray_meetings.h"
 #include "collide/scene_timeline.h"

@@ -7,9 +7,7 @@
 
 #include "app/files/outputs.h"
 #include "app/files/scene_input.h"
-#include "app/options/option_values.h"
 #include "app/report/difference_text.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/file.h"
 #include "base/parallel.h"
@@ -52,8 +50,7 @@ struct Pair {
 
 struct Outcome {
   Difference difference;
-  std::string text;
-  std::optional<double> metric;
+  std::optional<double> metric{};
   const char* unit = "levels";
 };
 
@@ -136,8 +133,7 @@ Result<Outcome> measure(const Image& actual, const Image& expected, const Metric
   if (diff) {
     FLATRAY_TRY(written, outputs.write(*diff, encode_png(difference_image(actual, expected))));
   }
-  Outcome outcome{*difference, "equal", std::nullopt};
-  if (difference->pixels != 0) outcome.text = difference_text(*difference);
+  Outcome outcome{*difference};
   if (metric != nullptr) outcome.metric = (metric->*value)(actual, expected);
   return outcome;
 }
@@ -171,16 +167,16 @@ JsonValue as_value(const Pair& pair, const Outcome& outcome, const Metric* metri
                                      {"channel", difference.channel},
                                      {"actual", difference.actual},
                                      {"expected", difference.expected}});
-  fields.emplace_back("mean", difference.mean);
-  fields.emplace_back("rmse", difference.rmse);
-  fields.emplace_back("psnr", difference.psnr);
+  fields.insert(fields.end(),
+                {{"mean", difference.mean}, {"rmse", difference.rmse}, {"psnr", difference.psnr}});
   if (metric != nullptr) fields.emplace_back("metric", Fields{{metric->name, *outcome.metric}});
   return fields;
 }
 
 std::string as_text(const Pair& pair, const Outcome& outcome, const Metric* metric) {
   std::string text = pair.name.empty() ? "" : shown_text(pair.name) + ": ";
-  text += outcome.text + "\n";
+  text += outcome.difference.pixels == 0 ? "equal" : difference_text(outcome.difference);
+  text += "\n";
   if (metric != nullptr) text += fmt::format("  {} {}\n", metric->name, *outcome.metric);
   return text;
 }

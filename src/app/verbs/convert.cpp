@@ -4,7 +4,6 @@
 
 #include "app/files/outputs.h"
 #include "app/files/scene_input.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "scene/reading/file_names.h"
 #include "scene/reading/write_toml.h"

@@ -11,8 +11,6 @@
 #include "app/files/scene_input.h"
 #include "app/help/version.h"
 #include "app/interrupt.h"
-#include "app/options/option_values.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/number_text.h"
 #include "precise/certified_orbit.h"

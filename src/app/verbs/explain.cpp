@@ -4,7 +4,6 @@
 #include "app/files/scene_input.h"
 #include "app/frames/render_request.h"
 #include "app/help/build_parts.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/isa.h"
@@ -92,12 +91,10 @@ Result<VerbOutput> run(const Options& options) {
 
 }  // namespace
 
-extern const Verb entry = {"explain",
-                           "SCENE",
+extern const Verb entry = {"explain", "SCENE",
                            "show what a render of the scene would do and leave out, and why",
                            kCommand<Options, &run>,
                            "  flatray explain scenes/demo.toml\n"
-                           "  flatray explain --measure -f 1..48 scenes/demo.toml\n",
-                           ""};
+                           "  flatray explain --measure -f 1..48 scenes/demo.toml\n"};
 
 }  // namespace flatray::explain_verb

@@ -8,7 +8,6 @@
 #include "app/golden/golden_check.h"
 #include "app/golden/golden_update.h"
 #include "app/report/difference_text.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/parallel.h"

@@ -3,7 +3,6 @@
 #include <functional>
 
 #include "app/files/scene_input.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/isa.h"
 #include "image/metric.h"

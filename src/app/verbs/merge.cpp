@@ -6,7 +6,6 @@
 #include "app/files/scene_input.h"
 #include "app/frames/light_files.h"
 #include "app/options/light_wish.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/file.h"

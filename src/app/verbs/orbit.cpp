@@ -7,7 +7,6 @@
 #include "app/files/scene_input.h"
 #include "app/options/resource_limits.h"
 #include "app/options/tracer_choice.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/number_text.h"
 #include "collide/scene_timeline.h"
@@ -121,35 +120,22 @@ Result<void> check_frozen(const Options& options, const std::string& ray) {
   return {};
 }
 
-// Rays of finite speed set off at the time of the frame; where contact changes how mirrors move,
-// these are known up to the last frame.
-class MovingRoom {
- public:
-  static Result<MovingRoom> make(const Options& options, const Scene& scene,
-                                 const FrameState& frame) {
-    if (Diagnostics refused = refused_mirrors(scene); !refused.empty())
-      return tl::unexpected(std::move(refused));
-    const unsigned last = std::max(scene.frames, frame.frame);
-    FLATRAY_TRY(timeline, make_timeline(scene, options.scene.seed_of(scene), last));
-    return MovingRoom(moving_walls(*timeline), frame.time,
-                      responds(scene) ? (last - 1) / scene.fps : kInfinity);
-  }
-
-  OrbitReport follow(const OrbitRoom& room, const RayState& ray, double speed,
-                     std::uint64_t bounces) const {
-    const auto& [at, direction] = ray.start;
-    return follow_moving(room, walls_, ray_name(room.scene, ray.ray),
-                         {at, at_speed(direction, speed)}, from_, {bounces, until_});
-  }
-
- private:
-  MovingRoom(MovingWalls walls, double from, double until)
-      : walls_(std::move(walls)), from_(from), until_(until) {}
-
-  MovingWalls walls_;
-  double from_, until_;
+// Mirrors as they move: where contact changes how, they are known up to the last frame.
+struct MovingRoom {
+  MovingWalls walls;
+  double until;
 };
 
+Result<MovingRoom> moving_room(const Options& options, const Scene& scene,
+                               const FrameState& frame) {
+  if (Diagnostics refused = refused_mirrors(scene); !refused.empty())
+    return tl::unexpected(std::move(refused));
+  const unsigned last = std::max(scene.frames, frame.frame);
+  FLATRAY_TRY(timeline, make_timeline(scene, options.scene.seed_of(scene), last));
+  return MovingRoom{moving_walls(*timeline), responds(scene) ? (last - 1) / scene.fps : kInfinity};
+}
+
+// Rays of finite speed set off at the time of the frame.
 Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
                                const FrameState& frame, const RayState& state,
                                std::optional<MovingRoom>& moving) {
@@ -159,16 +145,18 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
   FLATRAY_TRY(fits, expect_memory(options, bytes, fmt::format("an orbit of {} bounces", bounces),
                                   "say fewer --bounces"));
   const std::optional<double> speed = options.speeds.of(ray);
+  const std::string name = ray_name(room.scene, state.ray);
+  const auto& [at, direction] = state.start;
   if (!speed)
-    return follow_orbit(room, ray_name(room.scene, state.ray),
-                        {world_pose(frame)(state.start.origin), state.start.direction}, bounces,
+    return follow_orbit(room, name, {world_pose(frame)(at), direction}, bounces,
                         options.request(room.scene, state.ray));
-  FLATRAY_TRY(frozen, check_frozen(options, ray_name(room.scene, state.ray)));
+  FLATRAY_TRY(frozen, check_frozen(options, name));
   if (!moving) {
-    FLATRAY_TRY(made, MovingRoom::make(options, room.scene, frame));
+    FLATRAY_TRY(made, moving_room(options, room.scene, frame));
     moving = std::move(*made);
   }
-  return moving->follow(room, state, *speed, bounces);
+  return follow_moving(room, moving->walls, name, {at, at_speed(direction, *speed)}, frame.time,
+                       {bounces, moving->until});
 }
 
 // What only straight flights have.

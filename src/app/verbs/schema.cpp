@@ -11,13 +11,11 @@ Result<VerbOutput> run(const NoOptions&) {
 
 }  // namespace
 
-extern const Verb entry = {"schema",
-                           "",
+extern const Verb entry = {"schema", "",
                            "print the JSON Schema of scenes, by which editors check and complete",
                            kCommand<NoOptions, &run>,
                            "  flatray schema > scene.schema.json\n"
                            "  first line of a scene, for Even Better TOML and taplo:\n"
-                           "  #:schema ./scene.schema.json\n",
-                           ""};
+                           "  #:schema ./scene.schema.json\n"};
 
 }  // namespace flatray::schema_verb

@@ -6,7 +6,6 @@
 #include "app/files/chunk_log.h"
 #include "app/files/scene_input.h"
 #include "app/options/tracer_choice.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/isa.h"
 #include "base/number_text.h"
@@ -45,12 +44,16 @@ Result<std::vector<const Tracer*>> tracers_called(const std::string& text, const
   return chosen;
 }
 
-struct Options : Arguments {
-  StabilityRequest request{.tracers = exact_tracers(), .places = place_names()};
+struct Options : StabilityRequest {
   std::vector<std::string> families;
   std::uint64_t count = 100'000;
   std::optional<std::uint64_t> pairs;
   bool catalogue = false, sweep = false;
+
+  Options() {
+    tracers = exact_tracers();
+    places = place_names();
+  }
 
   bool chooses(const std::string& family) const {
     return std::ranges::find(families, family) != families.end();
@@ -58,7 +61,6 @@ struct Options : Arguments {
 
   void rows(OptionTable& row) {
     constexpr std::uint64_t kMost = std::uint64_t{1} << 40;
-    auto& [tracers, named, seed, threads, leaks, places, scene] = request;
     row("--families NAME,NAME",
         "only these families of inputs, as docs/NUMERICS.md names them; with --pairs, families of "
         "pairs",
@@ -79,13 +81,12 @@ struct Options : Arguments {
         "where its files go: stability.csv, a row for each 16384 rays or 1024 pairs, or leaks.csv, "
         "for each 1024 rays, from which a run with the same seed goes on");
     row(kForceRow);
-    row_of_threads(row, threads);
+    row_of_threads(row, scene.limits.threads);
     row(kJsonRow);
     scene.rows(row);
     families = pairs ? pair_family_names() : family_names();
     row.read("families", families, names_among("family", families));
     named = row.has("tracer");
-    scene.limits.threads = threads;
     expect_one_thing(row);
   }
 
@@ -101,8 +102,7 @@ struct Options : Arguments {
         return row.problem(other, "does not go with " + what, "leave one of them out");
       what = "--" + std::string(other);
     }
-    if (!request.leaks && row.has("places"))
-      row.problem("places", "is about --leaks", "leave it out");
+    if (!leaks && row.has("places")) row.problem("places", "is about --leaks", "leave it out");
     if (what.empty()) return;
     for (const char* other : {"families", "count"})
       if (row.has(other) && !(pairs && std::string_view(other) == "families"))
@@ -115,7 +115,7 @@ struct Options : Arguments {
 std::vector<ChunkLog::Key> keys_of(const Options& options, const std::string& family,
                                    const std::vector<std::string>& names) {
   std::vector<ChunkLog::Key> keys(names.size(),
-                                  {family, "", isa_name(active_isa()), options.request.seed, 0});
+                                  {family, "", isa_name(active_isa()), options.seed, 0});
   for (std::size_t i = 0; i < names.size(); ++i) keys[i].tracer = names[i];
   return keys;
 }
@@ -137,10 +137,10 @@ Result<VerbOutput> run_pairs(const Options& options) {
   for (const PairFamily& family : pair_families()) {
     if (!options.chooses(family.name)) continue;
     const auto keys = keys_of(options, StabilityRows::pairs(family), family.methods);
-    FLATRAY_TRY(done, log->run(keys, chunks, options.request.threads,
+    FLATRAY_TRY(done, log->run(keys, chunks, options.scene.limits.threads,
                                [&](std::uint64_t first, std::uint64_t count, const Open& open) {
-                                 return chosen(
-                                     check_pairs(family, options.request.seed, first, count), open);
+                                 return chosen(check_pairs(family, options.seed, first, count),
+                                               open);
                                }));
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const StabilityTally sum = log->sum(keys[k], chunks.number());
@@ -186,11 +186,11 @@ Result<VerbOutput> run_families(const Options& options) {
   std::uint64_t wrong = 0;
   for (const oracle::Family& family : oracle::families()) {
     if (!options.chooses(family.name)) continue;
-    const auto keys = keys_of(options, family.name, names_of(options.request.tracers));
-    FLATRAY_TRY(done, log->run(keys, chunks, options.request.threads,
+    const auto keys = keys_of(options, family.name, names_of(options.tracers));
+    FLATRAY_TRY(done, log->run(keys, chunks, options.scene.limits.threads,
                                [&](std::uint64_t first, std::uint64_t count, const Open& open) {
-                                 return check_rays(chosen(options.request.tracers, open), family,
-                                                   options.request.seed, first, count);
+                                 return check_rays(chosen(options.tracers, open), family,
+                                                   options.seed, first, count);
                                }));
     for (const ChunkLog::Key& key : keys) {
       const StabilityTally sum = log->sum(key, chunks.number());
@@ -206,13 +206,13 @@ Result<VerbOutput> run_families(const Options& options) {
 }
 
 Result<VerbOutput> run(const Options& options) {
-  if (!options.operands().empty()) return report_margins(options, options.request);
+  if (!options.operands().empty()) return report_margins(options);
   if (options.pairs) return run_pairs(options);
-  if (options.request.leaks) return report_leaks(options, options.request);
+  if (options.leaks) return report_leaks(options);
   if (!options.catalogue && !options.sweep) return run_families(options);
-  StabilityRequest request = options.request;
+  StabilityRequest request = options;
   if (!request.named) request.tracers = tracers_at_hand(options);
-  return options.catalogue ? report_catalogue(options, request) : report_sweep(options, request);
+  return options.catalogue ? report_catalogue(request) : report_sweep(request);
 }
 
 }  // namespace

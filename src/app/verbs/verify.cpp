@@ -8,7 +8,6 @@
 #include "app/files/manifest.h"
 #include "app/files/output_pattern.h"
 #include "app/files/scene_input.h"
-#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/parallel.h"
