@@ -53,6 +53,12 @@ struct Piece {
   }
 };
 
+// Where a ray meets an edge of a piece, exactly where that is short; "" of no edge.
+std::string exact_text(const NamedRay& ray, const Piece& piece, int edge) {
+  if (edge == kNoEdge) return "";
+  return short_fraction(exact_time(ray, piece.edge(static_cast<std::size_t>(edge))));
+}
+
 HitStep as_step(const ClipStep& step, const NamedRay& ray, const Piece& piece) {
   const int number = piece.number(step.edge);
   HitStep out{.edge = number == kNoEdge ? std::nullopt : std::optional(number),
@@ -67,7 +73,7 @@ HitStep as_step(const ClipStep& step, const NamedRay& ray, const Piece& piece) {
               .empty = !step.candidate};
   if (step.kind == 0) return out;
   out.t = step.t;
-  out.exact_t = short_fraction(exact_time(ray, piece.edge(static_cast<std::size_t>(step.edge))));
+  out.exact_t = exact_text(ray, piece, step.edge);
   return out;
 }
 
@@ -78,13 +84,8 @@ HitReport clip_piece(const NamedRay& ray, std::string against, const Piece& piec
   for (const ClipStep& step : clip_steps(clipped, piece.vertices, within, velocity))
     report.steps.push_back(as_step(step, ray, piece));
   report.hit = clip_convex(clipped, piece.vertices, within, velocity);
-  const auto exact = [&](int edge) {
-    return edge == kNoEdge
-               ? std::string()
-               : short_fraction(exact_time(ray, piece.edge(static_cast<std::size_t>(edge))));
-  };
-  report.exact_enter = exact(report.hit.edge_enter);
-  report.exact_exit = exact(report.hit.edge_exit);
+  report.exact_enter = exact_text(ray, piece, report.hit.edge_enter);
+  report.exact_exit = exact_text(ray, piece, report.hit.edge_exit);
   report.hit.edge_enter = piece.number(report.hit.edge_enter);
   report.hit.edge_exit = piece.number(report.hit.edge_exit);
   return report;

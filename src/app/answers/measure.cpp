@@ -22,17 +22,18 @@ struct Drawn {
   std::uint64_t packed = 0, kept = 0;  // bands of PNGs
 };
 
-// Something left out that is kept for once, to see what that saves.
+// A way to draw the frames: something left out that is kept for once, to see what that saves.
 struct Kept {
   std::string part;
   const Pass* pass = nullptr;  // one that is not needed
   bool each_frame = false;     // though all are one picture
   bool painting = false;       // what is hidden, and what has not changed
+  bool everything = false;
 };
 
-// All of a scene that is left out, one by one.
-std::vector<Kept> omissions(const RenderJob& job) {
-  std::vector<Kept> all;
+// As the job is, with everything kept, and with each thing kept by itself.
+std::vector<Kept> ways_to_draw(const RenderJob& job) {
+  std::vector<Kept> all{{}, {"", nullptr, false, false, true}};
   for (const Pass* pass : passes())
     if (!pass->need(job.scene).needed) all.push_back({std::string("pass ") + pass->name, pass});
   if (make_plan(job.scene, false).still) all.push_back({"frames drawn once", nullptr, true});
@@ -41,7 +42,7 @@ std::vector<Kept> omissions(const RenderJob& job) {
 }
 
 RenderPlan plan_with(const RenderJob& job, const Kept& kept) {
-  RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
+  RenderPlan plan = make_plan(job.scene, job.keep_all || kept.everything, job.tracer);
   if (kept.each_frame) plan.still = false;
   if (kept.pass == nullptr) return plan;
   const std::vector<const Pass*> needed = std::move(plan.passes);
@@ -54,7 +55,7 @@ RenderPlan plan_with(const RenderJob& job, const Kept& kept) {
 
 Result<Drawn> draw(const RenderJob& given, const Kept& kept) {
   RenderJob job = given;
-  job.keep_all = given.keep_all || kept.painting;
+  job.keep_all = given.keep_all || kept.painting || kept.everything;
   const RenderPlan plan = plan_with(given, kept);
   FLATRAY_TRY(timeline, make_timeline(job.scene, job.seed, job.last_frame));
   FrameEncoder encoder(job, 1);
@@ -79,27 +80,14 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
       "{:.1f} %", whole == 0 ? 0.0 : 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-// A way to draw the frames: a job, and what it keeps that is left out else.
-struct Way {
-  RenderJob job;
-  Kept kept;
-};
-
-// As the job is, with everything kept, and with each thing kept by itself.
-std::vector<Way> ways_to_draw(const RenderJob& job) {
-  std::vector<Way> ways{{job, {}}, {job, {}}};
-  ways[1].job.keep_all = true;
-  for (Kept& kept : omissions(job)) ways.push_back({job, std::move(kept)});
-  return ways;
-}
-
 // What each way costs in each round. Every other round goes through the ways backwards, so that
 // none is always the later one.
-Result<std::vector<CostRounds>> costs_of(const std::vector<Way>& ways, const Drawn& expected) {
+Result<std::vector<CostRounds>> costs_of(const RenderJob& job, const std::vector<Kept>& ways,
+                                         const Drawn& expected) {
   std::vector<std::vector<Cost>> costs(ways.size());
   const auto turn = [&](std::size_t i) -> Result<void> {
     Result<Drawn> drawn;
-    costs[i].push_back(cost_of([&] { drawn = draw(ways[i].job, ways[i].kept); }));
+    costs[i].push_back(cost_of([&] { drawn = draw(job, ways[i]); }));
     if (!drawn) return fail(std::move(drawn));
     FLATRAY_CHECK(drawn->files == expected.files);  // leaving out changes no byte
     return {};
@@ -147,9 +135,9 @@ Savings counts_of(const Drawn& some, std::size_t frames) {
 }  // namespace
 
 Result<Savings> measured_savings(const RenderJob& job) {
-  const std::vector<Way> ways = ways_to_draw(job);
+  const std::vector<Kept> ways = ways_to_draw(job);
   FLATRAY_TRY(drawn, draw(job, {}));
-  FLATRAY_TRY(costs, costs_of(ways, *drawn));
+  FLATRAY_TRY(costs, costs_of(job, ways, *drawn));
   const CostRounds &some = costs->at(0), &every = costs->at(1);
   const std::size_t frames = job.frames.size();
   Savings rows = counts_of(*drawn, frames);
@@ -162,7 +150,7 @@ Result<Savings> measured_savings(const RenderJob& job) {
   rows.push_back({"saved by: all of it", saving_words(some, every),
                   amount_words(every, frames) + " with everything kept, the same bytes"});
   for (std::size_t i = 2; i < ways.size(); ++i)
-    rows.push_back({"saved by: " + ways[i].kept.part, saving_words(some, costs->at(i)),
+    rows.push_back({"saved by: " + ways[i].part, saving_words(some, costs->at(i)),
                     amount_words(costs->at(i), frames) + " with it kept, the same bytes"});
   return rows;
 }

@@ -92,7 +92,7 @@ std::vector<Checked> check_all(const std::vector<oracle::StiffCase>& cases,
   const bool certifies = !request.named && can_certify().has_value();
   const std::size_t tracers = request.tracers.size();
   std::vector<Checked> checked(cases.size(), Checked(tracers + 2));
-  parallel_for(cases.size(), request.threads, [&](std::size_t i) {
+  parallel_for(cases.size(), request.scene.limits.threads, [&](std::size_t i) {
     if (cases[i].concerns_tracers())
       std::ranges::move(check_case(cases[i], request.tracers), checked[i].begin());
     if (!cases[i].contacts.empty()) checked[i].back() = check_contacts(cases[i]);
@@ -104,7 +104,7 @@ std::vector<Checked> check_all(const std::vector<oracle::StiffCase>& cases,
 
 }  // namespace
 
-Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityRequest& request) {
+Result<VerbOutput> report_catalogue(const StabilityRequest& request) {
   const std::vector<oracle::StiffCase> cases = oracle::catalogue();
   const std::vector<Checked> checked = check_all(cases, request);
   const std::vector<Asked> asked = all_asked(request);
@@ -147,7 +147,7 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
   }
   result.files.push_back(csv_file("catalogue", facts));
   result.files.push_back(csv_file("catalogue_times", times));
-  return stability_files(arguments, std::move(shown), result, sound);
+  return stability_files(request, std::move(shown), result, sound);
 }
 
 }  // namespace flatray

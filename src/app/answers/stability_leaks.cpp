@@ -3,9 +3,7 @@
 
 #include "app/answers/stability_reports.h"
 #include "app/files/chunk_log.h"
-#include "app/files/scene_input.h"
 #include "app/interrupt.h"
-#include "app/options/tracer_choice.h"
 #include "app/report/report.h"
 #include "base/isa.h"
 
@@ -16,10 +14,10 @@ VerbOutput stability_output(Table table, bool sound) {
   return {.table = std::move(table), .exit_code = code};
 }
 
-Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request) {
+Result<VerbOutput> report_leaks(const StabilityRequest& request) {
   const Chunks blocks{*request.leaks, kRaysALeakBlock};
   const std::vector<std::string>& places = request.places;
-  FLATRAY_TRY(log, LeakLog::open(arguments.text("output"), Outputs(arguments)));
+  FLATRAY_TRY(log, LeakLog::open(request.text("output"), Outputs(request)));
   Table table({"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong",
                "first_t_off", "asked", "beside", "nothing", "through_end", "through", "invented"});
   bool sound = true;
@@ -27,7 +25,7 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
     if (std::ranges::find(places, place.name) == places.end()) continue;
     for (const Tracer* tracer : request.tracers) {
       const ChunkLog::Key key{place.name, tracer->name, isa_name(active_isa()), request.seed, 0};
-      FLATRAY_TRY(done, log->run({key}, blocks, request.threads,
+      FLATRAY_TRY(done, log->run({key}, blocks, request.scene.limits.threads,
                                  [&](std::uint64_t first, std::uint64_t count, const auto&) {
                                    return std::vector{count_leaks(*tracer, place, request.seed,
                                                                   first / blocks.size, count)};

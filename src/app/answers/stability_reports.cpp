@@ -5,8 +5,6 @@
 #include <algorithm>
 
 #include "app/files/result_files.h"
-#include "app/files/scene_input.h"
-#include "app/report/report.h"
 #include "base/counted.h"
 #include "base/parallel.h"
 #include "base/table.h"
@@ -44,11 +42,11 @@ std::vector<const Tracer*> tracers_at_hand(const Arguments& arguments) {
   return all;
 }
 
-Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityRequest& request) {
+Result<VerbOutput> report_sweep(const StabilityRequest& request) {
   const std::vector<double> steps = sweep_steps();
   const std::size_t side = steps.size();
   std::vector<SweepCell> cells(side * side);
-  parallel_for(cells.size(), request.threads, [&](std::size_t i) {
+  parallel_for(cells.size(), request.scene.limits.threads, [&](std::size_t i) {
     cells[i] = sweep_cell(request.tracers, request.seed, steps[i % side], steps[i / side]);
   });
   ExperimentResult result;
@@ -84,11 +82,11 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
       result.files.push_back({fmt::format("sweep_{}.svg", tracer.name), svg(plot_of(map))});
   }
   result.files.push_back(csv_file("sweep", all));
-  return stability_files(arguments, std::move(table), result, sound);
+  return stability_files(request, std::move(table), result, sound);
 }
 
-Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request) {
-  FLATRAY_TRY(scene, load_only_input(arguments, request.scene));
+Result<VerbOutput> report_margins(const StabilityRequest& request) {
+  FLATRAY_TRY(scene, load_only_input(request, request.scene));
   FLATRAY_TRY(straight, expect_no_field(*scene, "stability"));
   FLATRAY_TRY(unsplit, expect_no_glass(*scene, "stability"));
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
@@ -115,7 +113,7 @@ Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityReq
         all.front().wall, all.front().at.x(), all.front().at.y());
   Table shown = table;
   shown.rows.resize(std::min(table.rows.size(), kShown));
-  auto output = stability_files(arguments, std::move(table), result, true);
+  auto output = stability_files(request, std::move(table), result, true);
   if (output) output->text.front() = std::move(shown);
   return output;
 }

@@ -109,16 +109,9 @@ void SweepResults::add(const std::string& value, const ExperimentResult& result)
     table_.add(std::move(row));
   });
   holds_ = holds_ && result.holds;
+  for (const Measure& one : result.measures)
+    if (std::ranges::find(names_, one.name) == names_.end()) names_.push_back(one.name);
   found_.emplace_back(value, result.measures);
-}
-
-// Of the measures of all values: which there are may depend on what is found.
-std::vector<std::string> SweepResults::names() const {
-  std::vector<std::string> names;
-  for (const auto& [value, measures] : found_)
-    for (const Measure& one : measures)
-      if (std::ranges::find(names, one.name) == names.end()) names.push_back(one.name);
-  return names;
 }
 
 ExperimentResult SweepResults::result() && {
@@ -127,7 +120,7 @@ ExperimentResult SweepResults::result() && {
   all.files.push_back(csv_file("sweep", table_));
   all.files.push_back(json_file(
       "sweep", {{"experiment", experiment_}, {"sweep", sweep_.key}, {"measures", table_}}));
-  for (const std::string& name : names()) {
+  for (const std::string& name : names_) {
     Plot plot{
         experiment_ + ": " + name,
         sweep_.key + (unit.empty() ? "" : ", " + unit),

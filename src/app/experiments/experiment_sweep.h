@@ -24,12 +24,11 @@ class SweepResults {
   ExperimentResult result() &&;
 
  private:
-  std::vector<std::string> names() const;
-
   std::string experiment_;
   Sweep sweep_;
   Table table_;
   std::vector<std::pair<std::string, std::vector<Measure>>> found_;
+  std::vector<std::string> names_;  // of all measures: which there are may depend on the value
   bool holds_ = true;
 };
 

@@ -21,10 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kPause{1};
 constexpr int kMostPauses = 30'000;  // of one lock: no process holds one for so long
 
-std::span<const std::byte> as_bytes(const std::string& text) {
-  return std::as_bytes(std::span(text));
-}
-
 // The part up to the end of the last whole line.
 void drop_torn_line(std::string& text) { text.resize(text.rfind('\n') + 1); }
 
@@ -100,7 +96,7 @@ Result<void> Journal::add(const std::string& lines, const Step& first, Flush flu
     if (::ftruncate(file->get(), size) != 0) return cannot("write", path_, errno, Trouble::output);
   }
   const std::string all = (size == 0 ? head_ : std::string()) + lines;
-  const bool written = write_all(*file, as_bytes(all));
+  const bool written = write_all(*file, std::as_bytes(std::span(all)));
   if (written && (flush == Flush::later || ::fsync(file->get()) == 0)) return {};
   const int error = errno;
   (void)!::ftruncate(file->get(), size);
@@ -132,7 +128,8 @@ Result<Claim> Claim::take(const fs::path& folder, const std::string& what,
     auto file = open_locked(path, 0, [&](const Descriptor& one) {
       if (try_lock(one, LOCK_EX)) {  // nobody is at work
         planted = has_other_names(one);
-        if (!planted && (::ftruncate(one.get(), 0) != 0 || !write_all(one, as_bytes(setting)))) {
+        if (!planted && (::ftruncate(one.get(), 0) != 0 ||
+                         !write_all(one, std::as_bytes(std::span(setting))))) {
           const int error = errno;
           ::unlink(path.c_str());
           errno = error;

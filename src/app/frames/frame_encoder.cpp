@@ -19,43 +19,35 @@ std::string hash_of(const FilmFile& film) {
 
 bool all_changed(int, int) { return true; }
 
-using Drawer = std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>>;
-
-Drawer drawer_for(const RenderJob& job, const FrameOptions& options) {
-  if (job.output.format().of_picture != nullptr) return FrameDrawer<Image>(options);
-  return FrameDrawer<LinearImage>(options);
-}
-
 }  // namespace
 
 FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)())
     : job_(job),
       options_{job.crop, threads, job.keep_all, stop, &report_},
-      drawer_(drawer_for(job, options_)),
+      drawer_(job.output.format().of_picture != nullptr ? Drawer(FrameDrawer<Image>(options_))
+                                                        : FrameDrawer<LinearImage>(options_)),
       png_(threads) {
   out_.record.scene = job.fingerprint();
   out_.record.seed = job.seed;
   out_.record.backend = job.backend();
 }
 
-Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
-  if (!list) return fail(std::move(list));
+Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeline& timeline,
+                                            unsigned frame) {
+  if (job_.output.format().of_film != nullptr) return encode_film(plan, timeline, frame);
+  if (job_.view) {
+    const Image picture =
+        draw_view(*job_.view, job_.tracer, timeline.scene(), at(timeline, frame), options_);
+    if (options_.stopped()) return nullptr;
+    keep(picture, all_changed);
+    return &out_;
+  }
+  FLATRAY_TRY(list, draw_list(plan, timeline, frame, options_));
   FLATRAY_TRY(drawn,
               std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_));
   keep_report();
   if (job_.renderer) return options_.stopped() ? nullptr : &out_;
   return std::visit([](const auto& drawer) { return drawer.whole(); }, drawer_) ? &out_ : nullptr;
-}
-
-Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeline& timeline,
-                                            unsigned frame) {
-  if (job_.output.format().of_film != nullptr) return encode_film(plan, timeline, frame);
-  if (!job_.view) return encode(draw_list(plan, timeline, frame, options_));
-  const Image picture =
-      draw_view(*job_.view, job_.tracer, timeline.scene(), at(timeline, frame), options_);
-  if (options_.stopped()) return nullptr;
-  keep(picture, all_changed);
-  return &out_;
 }
 
 template <class Picture>

@@ -30,7 +30,8 @@ class FrameEncoder {
   const PngEncoder& png() const { return png_; }
 
  private:
-  Result<const Encoded*> encode(Result<DrawList> list);
+  using Drawer = std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>>;
+
   Result<const Encoded*> encode_film(const RenderPlan& plan, const Timeline& timeline,
                                      unsigned frame);
   void keep_report();
@@ -42,7 +43,7 @@ class FrameEncoder {
   const RenderJob& job_;
   LightReport report_;
   const FrameOptions options_;
-  std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>> drawer_;
+  Drawer drawer_;
   PngEncoder png_;
   Encoded out_;
   std::size_t encoded_ = 0;

@@ -34,23 +34,19 @@ FrameSource::FrameSource(const RenderJob& job, const Timeline& timeline, unsigne
                          std::size_t count, unsigned threads, const Told& told)
     : job_(job), timeline_(timeline), goal_(told_goal(job, told)), plan_(plan_of(job, goal_)) {
   if (plan_.still) {
-    draw_still(first, threads);
+    FrameEncoder encoder(job_, threads, &interrupted);
+    Result<const Encoded*> made = encoder.encode(plan_, timeline_, first);
+    if (!made)
+      problems_ = std::move(made).error();
+    else if (*made != nullptr)
+      still_ = **made;
+    drawn_ = encoder.counts();
+    encoded_ = encoder.encoded();
   } else if (plan_.still_light && count > 1) {
     kept_light_ = show_light(timeline_, at(timeline_, first), job_.tracer,
                              {threads, &interrupted, plan_.raw_light, &goal_});
     plan_.kept_light = &kept_light_;
   }
-}
-
-void FrameSource::draw_still(unsigned frame, unsigned threads) {
-  FrameEncoder encoder(job_, threads, &interrupted);
-  Result<const Encoded*> made = encoder.encode(plan_, timeline_, frame);
-  if (!made)
-    problems_ = std::move(made).error();
-  else if (*made != nullptr)
-    still_ = **made;
-  drawn_ = encoder.counts();
-  encoded_ = encoder.encoded();
 }
 
 Result<const Encoded*> FrameSource::encode(unsigned frame, FrameEncoder& encoder) const {

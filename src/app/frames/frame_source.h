@@ -1,6 +1,5 @@
 #pragma once
 #include <optional>
-#include <string>
 
 #include "app/frames/frame_encoder.h"
 
@@ -27,8 +26,6 @@ class FrameSource {
   std::size_t encoded() const { return encoded_; }
 
  private:
-  void draw_still(unsigned frame, unsigned threads);
-
   const RenderJob& job_;
   const Timeline& timeline_;
   const LightGoal goal_;

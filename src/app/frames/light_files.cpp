@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <utility>
 
 #include "app/files/journal.h"
 #include "app/frames/render_job.h"
@@ -139,22 +140,17 @@ Result<TracedLight> light_before(const RenderJob& job, const fs::path& path,
   return light_of(*film);
 }
 
-LinearImage part_of(const LinearImage& image, const PixelBox& part) {
-  LinearImage cut{part.width, part.height, {}};
+// Of an Image or a LinearImage.
+template <class Picture>
+Picture part_of(Picture image, const PixelBox& part) {
+  const auto whole = std::exchange(image.pixels, {});
+  const std::ptrdiff_t row = std::ssize(whole) / image.height, channels = row / image.width;
   for (int y = part.y; y < part.y + part.height; ++y) {
-    const auto at = image.pixels.begin() + 3 * (std::ptrdiff_t{y} * image.width + part.x);
-    cut.pixels.insert(cut.pixels.end(), at, at + 3 * std::ptrdiff_t{part.width});
+    const auto at = whole.begin() + y * row + part.x * channels;
+    image.pixels.insert(image.pixels.end(), at, at + part.width * channels);
   }
-  return cut;
-}
-
-Image part_of(const Image& image, const PixelBox& part) {
-  Image cut(part.width, part.height, image.channels);
-  for (int y = 0; y < part.height; ++y)
-    std::copy_n(image.at(part.x, part.y + y),
-                static_cast<std::size_t>(part.width) * static_cast<std::size_t>(image.channels),
-                cut.at(0, y));
-  return cut;
+  image.width = part.width, image.height = part.height;
+  return image;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/files/scene_input.h"
 #include "app/options/backend_choice.h"
 #include "app/options/option_values.h"
 #include "app/report/report.h"
@@ -100,41 +99,36 @@ Result<double> at_least_0(const std::string& text, const Place& where) {
   return usage_error(where, "is not a number of 0 or more", "say 0.001");
 }
 
-struct Wish {
-  double error, seconds;
-};
-
 // The cheapest that is near enough; without an error asked for, the nearest that is cheap enough.
-Result<Way> choose(const Profile& profile, const Wish& wish) {
-  const bool cheapest = wish.error < kInfinity;
+Result<Way> choose(const Profile& profile, double error, double seconds) {
+  const bool cheapest = error < kInfinity;
   const Way *best = nullptr, *nearest = nullptr, *quickest = nullptr;
   for (const Way& way : profile.ways) {
-    if (way.seconds <= wish.seconds && (nearest == nullptr || way.error < nearest->error))
+    if (way.seconds <= seconds && (nearest == nullptr || way.error < nearest->error))
       nearest = &way;
     if (quickest == nullptr || way.seconds < quickest->seconds) quickest = &way;
-    if (way.error > wish.error || way.seconds > wish.seconds) continue;
+    if (way.error > error || way.seconds > seconds) continue;
     if (best == nullptr || (cheapest ? way.seconds < best->seconds : way.error < best->error))
       best = &way;
   }
   if (best != nullptr) return *best;
   if (nearest == nullptr)
     return fail(quickest->where,
-                fmt::format("no setting takes {} s or less: this is the quickest", wish.seconds),
+                fmt::format("no setting takes {} s or less: this is the quickest", seconds),
                 fmt::format("say --time {:.2g}", 1.1 * quickest->seconds));
-  if (nearest->at_most && nearest->seconds <= wish.seconds)
+  if (nearest->at_most && nearest->seconds <= seconds)
     return fail(
         nearest->where,
         fmt::format("no setting is known to have an error of {} or less: of the nearest one "
                     "the reference tells only that it is at most {:.3g}",
-                    wish.error, nearest->error),
+                    error, nearest->error),
         fmt::format("measure longer, flatray accuracy SCENE --budget 60s --profile FILE, or "
                     "say --error {:.2g}",
                     1.1 * nearest->error));
   return fail(
       nearest->where,
-      fmt::format(
-          "no setting has an error of {} or less{}: this is the nearest", wish.error,
-          wish.seconds < kInfinity ? fmt::format(" within {} s", wish.seconds) : std::string()),
+      fmt::format("no setting has an error of {} or less{}: this is the nearest", error,
+                  seconds < kInfinity ? fmt::format(" within {} s", seconds) : std::string()),
       fmt::format("say --error {:.2g}", 1.1 * nearest->error));
 }
 
@@ -185,8 +179,8 @@ Result<void> choose_by_profile(Arguments& arguments, const ProfileOptions& optio
   if (hash_of(loaded->scene) != profile->hash)
     return fail(profile->head, "is of another scene, of another state of it, or of another size",
                 "measure it as it is to be drawn: flatray accuracy SCENE --profile FILE");
-  FLATRAY_TRY(way, choose(*profile, {options.error.value_or(kInfinity),
-                                     options.seconds.value_or(kInfinity)}));
+  FLATRAY_TRY(way, choose(*profile, options.error.value_or(kInfinity),
+                          options.seconds.value_or(kInfinity)));
   if (!arguments.has("quiet"))
     report_note(fmt::format("profile: {}, error {}{:.3g}, {:.3g} s a frame", way->words,
                             way->at_most ? "at most " : "", way->error, way->seconds));

@@ -51,18 +51,14 @@ class FrameMaker {
   // Names and lines of a run are flushed together: what a machine that stops then loses of them,
   // --resume makes again. The bytes of a picture are flushed before it has its name.
   void make_run(std::size_t begin, JobResult& made) {
-    draw_run(begin, made);
-    if (made.written.empty() || !job_.output.has_frame()) return;
-    flush_folder(job_.folder());
-    if (auto flushed = flush_file(manifest_.path()); !flushed && made.problems.empty())
-      made.problems = std::move(flushed).error();
-  }
-
-  void draw_run(std::size_t begin, JobResult& made) {
     FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
     write_run(begin, encoder, made);
     made.drawn = encoder.counts();
     made.encoded = encoder.encoded();
+    if (made.written.empty() || !job_.output.has_frame()) return;
+    flush_folder(job_.folder());
+    if (auto flushed = flush_file(manifest_.path()); !flushed && made.problems.empty())
+      made.problems = std::move(flushed).error();
   }
 
   void write_run(std::size_t begin, FrameEncoder& encoder, JobResult& made) {

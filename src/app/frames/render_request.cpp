@@ -5,8 +5,6 @@
 #include <numeric>
 #include <set>
 
-#include "app/files/scene_input.h"
-#include "app/options/option_values.h"
 #include "app/report/report.h"
 #include "render/coverage/unseen.h"
 

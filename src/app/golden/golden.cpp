@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "app/files/outputs.h"
 #include "app/options/backend_choice.h"
 #include "app/options/option_values.h"
 #include "base/file.h"
@@ -31,11 +30,11 @@ JsonValue as_value(const GoldenRow& row) {
                 {"size", Values{row.width, row.height}},
                 {"backend", row.backend}};
   if (!row.exact()) fields.emplace_back("renderer", row.renderer);
-  fields.emplace_back("tolerance", row.tolerance.text());
-  fields.emplace_back("drift", row.drift);
-  fields.emplace_back("pixels", row.pixels);
-  fields.emplace_back("scene_hash", row.scene_hash);
-  fields.emplace_back("why", row.why);
+  fields.insert(fields.end(), {{"tolerance", row.tolerance.text()},
+                               {"drift", row.drift},
+                               {"pixels", row.pixels},
+                               {"scene_hash", row.scene_hash},
+                               {"why", row.why}});
   return fields;
 }
 
@@ -250,10 +249,6 @@ bool limit_golden_light(Scene& scene) {
   if (scene.lamps.empty() || scene.light.rays <= kMostRays) return false;
   scene.light.rays = kMostRays;
   return true;
-}
-
-Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row, unsigned threads) {
-  return render_golden(scene, row, row.backend, threads);
 }
 
 Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,

@@ -87,14 +87,13 @@ Result<GoldenScene> load_golden_scene(const std::filesystem::path& root, const G
 /// A golden of light is drawn with 2^15 rays at most. Gives   whether the scene asks for more.
 bool limit_golden_light(Scene& scene);
 
-/// The picture a row asks for. Same bytes for any number of threads.
+/// The picture a row asks for, by its back end or another way: "osmesa", "egl". Same bytes for any
+/// number of threads.
 /// Error   Trouble::unavailable where its back end is not here.
 struct GoldenPicture {
   Image image;
   std::string renderer;  ///< as the row's
 };
-Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row, unsigned threads);
-/// The same by one of several ways: "osmesa", "egl".
 Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
                                     const std::string& backend, unsigned threads);
 

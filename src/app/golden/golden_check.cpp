@@ -35,7 +35,7 @@ GoldenCheck judge(Image actual, Image expected) {
 Result<GoldenCheck> check_golden(const fs::path& root, const GoldenRow& row) {
   FLATRAY_TRY(expected, read_expected(root, row));
   FLATRAY_TRY(golden, load_golden_scene(root, row));
-  FLATRAY_TRY(drawn, render_golden(golden->scene, row, 1));
+  FLATRAY_TRY(drawn, render_golden(golden->scene, row, row.backend, 1));
   GoldenCheck check = judge(std::move(drawn->image), std::move(*expected));
   check.tolerance = row.tolerance;
   check.renderer = drawn->renderer;

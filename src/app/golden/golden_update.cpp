@@ -45,30 +45,26 @@ std::vector<GoldenRow> wanted_rows(const GoldenRequest& request,
   return wanted;
 }
 
-Diagnostic refusal(const std::string& what, std::string message, std::string hint) {
-  return {named_place(what), std::move(message), std::move(hint), Trouble::usage};
-}
-
 // What can be said before anything is drawn.
 Diagnostics check_rows(const std::vector<GoldenRow>& wanted, const std::vector<GoldenRow>& rows) {
   Diagnostics problems;
   const GoldenRow& first = wanted.front();
+  const auto wrong = [&](std::string message, std::string hint) {
+    problems.push_back(
+        {named_place(first.scene), std::move(message), std::move(hint), Trouble::usage});
+  };
   if (!fits({first.width, first.height}))
-    problems.push_back(
-        refusal(first.scene,
-                fmt::format("{} x {} pixels are too many for a golden", first.width, first.height),
-                fmt::format("say --size WxH with at most {}x{}", kGoldenWidth, kGoldenHeight)));
+    wrong(fmt::format("{} x {} pixels are too many for a golden", first.width, first.height),
+          fmt::format("say --size WxH with at most {}x{}", kGoldenWidth, kGoldenHeight));
   if (wanted.size() > kGoldenFrames)
-    problems.push_back(
-        refusal(first.scene, fmt::format("{} frames are too many for one scene", wanted.size()),
-                fmt::format("choose at most {} that show the most, as -f 1,12,40", kGoldenFrames)));
-  for (const GoldenRow& row : rows)
-    if (row.scene != first.scene && row.folder() == first.folder()) {
-      problems.push_back(refusal(first.scene,
-                                 fmt::format("shares {} with {}", first.folder(), row.scene),
-                                 "rename one of the scenes"));
-      break;
-    }
+    wrong(fmt::format("{} frames are too many for one scene", wanted.size()),
+          fmt::format("choose at most {} that show the most, as -f 1,12,40", kGoldenFrames));
+  const auto other = std::ranges::find_if(rows, [&](const GoldenRow& row) {
+    return row.scene != first.scene && row.folder() == first.folder();
+  });
+  if (other != rows.end())
+    wrong(fmt::format("shares {} with {}", first.folder(), other->scene),
+          "rename one of the scenes");
   return problems;
 }
 
@@ -90,7 +86,7 @@ Result<Difference> measured_drift(const Scene& scene, const GoldenRow& row, cons
 Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, GoldenRow row,
                                    const std::vector<GoldenRow>& before) {
   GoldenUpdate::Picture picture;
-  FLATRAY_TRY(drawn, render_golden(scene, row, 1));
+  FLATRAY_TRY(drawn, render_golden(scene, row, row.backend, 1));
   picture.after = std::move(drawn->image);
   FLATRAY_TRY(measured, measured_drift(scene, row, picture.after));
   const Difference& drift = *measured;
@@ -99,9 +95,9 @@ Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, Gol
     row.tolerance = {static_cast<int>(drift.worst), drift.pixels};
   }
   if (!row.tolerance.allows(drift))
-    return tl::unexpected(Diagnostics{
-        refusal(row.name(), fmt::format("frame {} drifts: {}", row.frame, difference_text(drift)),
-                "two renders must be equal: that is a bug, and no golden can stand for it")});
+    return usage_error(named_place(row.name()),
+                       fmt::format("frame {} drifts: {}", row.frame, difference_text(drift)),
+                       "two renders must be equal: that is a bug, and no golden can stand for it");
   row.drift = row.tolerance.text();
   row.pixels = pixel_hash(picture.after);
   const auto old = std::ranges::find(before, row.frame, &GoldenRow::frame);
@@ -160,9 +156,9 @@ Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenR
     else if (!has_file(update.pictures, row.file()))
       update.removed.push_back(row);
   if (const std::uintmax_t total = total_bytes(root, update); total > kGoldenBytes)
-    return tl::unexpected(Diagnostics{refusal(
-        request.scene, fmt::format("all goldens together would have {} bytes", total),
-        fmt::format("at most {}: say a smaller --size or fewer frames (-f)", kGoldenBytes))});
+    return usage_error(
+        named_place(request.scene), fmt::format("all goldens together would have {} bytes", total),
+        fmt::format("at most {}: say a smaller --size or fewer frames (-f)", kGoldenBytes));
   return update;
 }
 

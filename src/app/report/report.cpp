@@ -107,29 +107,18 @@ std::string point_text(const Vec2& point) {
 
 JsonValue as_value(const Vec2& point) { return Values{point.x(), point.y()}; }
 
-namespace {
-
-JsonValue as_value(const Diagnostic& diagnostic) {
-  Fields fields;
-  if (diagnostic.where) {
-    const SourceText& source = *diagnostic.where.source;
-    fields.emplace_back("file", source.name());
-    if (!source.text().empty()) {
-      const SourceText::Position at = source.position(diagnostic.where.offset);
-      fields.emplace_back("line", at.line);
-      fields.emplace_back("column", at.column);
-    }
-  }
-  fields.emplace_back("message", diagnostic.message);
-  fields.emplace_back("hint", diagnostic.hint);
-  return fields;
-}
-
-}  // namespace
-
 Values as_values(const Diagnostics& diagnostics) {
   Values values;
-  for (const Diagnostic& one : diagnostics) values.push_back(as_value(one));
+  for (const auto& [where, message, hint, trouble] : diagnostics) {
+    Fields fields;
+    if (where) fields.emplace_back("file", where.source->name());
+    if (where && !where.source->text().empty()) {
+      const SourceText::Position at = where.source->position(where.offset);
+      fields.insert(fields.end(), {{"line", at.line}, {"column", at.column}});
+    }
+    fields.insert(fields.end(), {{"message", message}, {"hint", hint}});
+    values.emplace_back(std::move(fields));
+  }
   return values;
 }
 

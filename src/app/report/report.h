@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/options/arguments.h"
-#include "base/result.h"
 #include "base/table.h"
 #include "geom/vec.h"
 
