@@ -37,8 +37,8 @@ Args::Args(Builder& builder, Field field, std::span<const KeyInfo> keys, KeptArg
       scene_(&builder.scene),
       field_(std::move(field)),
       keys_(keys),
-      noting_(changing != nullptr ? changing : &own_),
-      known_(noting_),
+      noting_(changing),
+      known_(changing),
       changes_(changing != nullptr) {
   check_keys(field_->value, field_->name, keys, builder.in.problems);
 }

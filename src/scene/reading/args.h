@@ -12,7 +12,7 @@ namespace flatray {
 /// The arguments of a shape, a lamp's source or a material, read by name. A wrong or missing one is
 /// noted and stands in as 0 or empty: the thing is then refused for that alone, whatever `build` says.
 ///
-/// Each is read once and kept; those of a shape that changes have the values of the time that is set.
+/// Those of a shape that changes are read once and kept, and have the values of the time that is set.
 class Args {
  public:
   Args(Builder& builder, Field field, std::span<const KeyInfo> keys,
@@ -66,16 +66,21 @@ class Args {
   using Argument = KeptArguments::Argument;
 
   std::optional<Field> find(const char* key) const;
-  /// An argument, read by `read(field, argument)` where it is not known; nullptr where it is not given.
+  /// An argument until the next is asked for, read by `read(field, argument)` where it is not known; nullptr where
+  /// it is not given.
   template <class Read>
   const Argument* noted(const char* key, const Read& read) {
-    for (const Argument& argument : known_->arguments)
-      if (std::string_view(argument.key) == key) return &argument;
+    if (changes_)
+      for (const Argument& argument : known_->arguments)
+        if (std::string_view(argument.key) == key) return &argument;
     const std::optional<Field> field = find(key);
     if (!field) return nullptr;
-    Argument argument{key, {}, {}};
+    Argument& argument = changes_ ? noting_->arguments.emplace_back() : last_;
+    argument.key = key;
+    argument.numbers.clear();
+    argument.text.clear();
     read(*field, argument);
-    return &noting_->arguments.emplace_back(std::move(argument));
+    return &argument;
   }
   /// What cannot change: a word, whole number or truth value, which is kept as a number.
   template <class Plain, class Read>
@@ -96,10 +101,10 @@ class Args {
   const Scene* scene_;
   std::optional<Field> field_;
   std::span<const KeyInfo> keys_;
-  KeptArguments own_{};  ///< of what does not change
   KeptArguments* noting_ = nullptr;
   const KeptArguments* known_;
   const bool changes_;
+  Argument last_{};  ///< of what does not change
   double time_ = 0;
   bool gone_ = false, warns_ = true;
   struct ReadPoint {
