@@ -38,13 +38,12 @@ Args::Args(Builder& builder, Field field, std::span<const KeyInfo> keys, KeptArg
       field_(std::move(field)),
       keys_(keys),
       noting_(changing),
-      known_(changing),
-      changes_(changing != nullptr) {
+      known_(changing) {
   check_keys(field_->value, field_->name, keys, builder.in.problems);
 }
 
 Args::Args(const Scene& scene, const KeptArguments& changing, double time)
-    : scene_(&scene), known_(&changing), changes_(true), time_(time) {}
+    : scene_(&scene), known_(&changing), time_(time) {}
 
 void Args::set_time(double time) {
   time_ = time;
@@ -61,16 +60,16 @@ std::optional<Field> Args::find(const char* key) const {
 
 const Moving* Args::kept_number(const char* key) {
   const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
-    if (const auto number = read_moving(*builder_, field, nullptr, changes_ && may_change(field)))
+    if (const auto number = read_moving(*builder_, field, nullptr, changes() && may_change(field)))
       made.numbers.push_back(*number);
   });
   return argument == nullptr || argument->numbers.empty() ? nullptr : &argument->numbers.front();
 }
 
 void Args::note_point(const Field& field, Argument& argument) {
-  const auto point = read_moving_point(*builder_, field, changes_);
+  const auto point = read_moving_point(*builder_, field, changes());
   if (!point) return;
-  if (!changes_ && !has_distribution(field.value)) read_.push_back({point->value, &field.value});
+  if (!changes() && !has_distribution(field.value)) read_.push_back({point->value, &field.value});
   argument.numbers.push_back({point->value.x(), point->x});
   argument.numbers.push_back({point->value.y(), point->y});
 }

@@ -56,7 +56,7 @@ class Args {
   /// Says that nothing is left of the shape: one that changes is then not there, whatever `build`
   /// says, which then need not make its corners.
   void vanish(bool nothing_is_left = true) { gone_ |= nothing_is_left; }
-  bool gone() const { return gone_ && changes_; }
+  bool gone() const { return gone_ && changes(); }
   void set_time(double time);
 
   /// Warns of points read so far that were written differently but are the same doubles.
@@ -65,17 +65,18 @@ class Args {
  private:
   using Argument = KeptArguments::Argument;
 
+  bool changes() const { return known_ != nullptr; }
   std::optional<Field> find(const char* key) const;
   /// An argument until the next is asked for, read by `read(field, argument)` where it is not known; nullptr where
   /// it is not given.
   template <class Read>
   const Argument* noted(const char* key, const Read& read) {
-    if (changes_)
+    if (changes())
       for (const Argument& argument : known_->arguments)
         if (std::string_view(argument.key) == key) return &argument;
     const std::optional<Field> field = find(key);
     if (!field) return nullptr;
-    Argument& argument = changes_ ? noting_->arguments.emplace_back() : last_;
+    Argument& argument = changes() ? noting_->arguments.emplace_back() : last_;
     argument.key = key;
     argument.numbers.clear();
     argument.text.clear();
@@ -102,9 +103,8 @@ class Args {
   std::optional<Field> field_;
   std::span<const KeyInfo> keys_;
   KeptArguments* noting_ = nullptr;
-  const KeptArguments* known_;
-  const bool changes_;
-  Argument last_{};  ///< of what does not change
+  const KeptArguments* known_;  ///< of what changes
+  Argument last_{};             ///< of what does not change
   double time_ = 0;
   bool gone_ = false, warns_ = true;
   struct ReadPoint {
