@@ -1,116 +1,16 @@
 #include "app/frames/video_maker.h"
 
-#include <fmt/core.h>
-#include <signal.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <deque>
 
+#include "app/frames/video_file.h"
 #include "app/interrupt.h"
-#include "base/child_program.h"
-#include "base/file.h"
 #include "base/hash.h"
 #include "base/parallel.h"
 
 namespace flatray {
 namespace {
-
-// Of a program that does not make the file, at the file.
-tl::unexpected<Diagnostics> at_file(const std::filesystem::path& path, Diagnostics problems) {
-  for (Diagnostic& one : problems) {
-    one.message = fmt::format("{} {}", one.where.source->name(), one.message);
-    one.where = named_place(path.string());
-  }
-  return tl::unexpected(std::move(problems));
-}
-
-// Y4M on its standard input; what it writes tells the colours, and not the time.
-std::vector<std::string> words_for(const PictureFormat& format) {
-  static constexpr const char* kColours[] = {"-colorspace",  "bt709",      "-color_primaries",
-                                             "bt709",        "-color_trc", "iec61966-2-1",
-                                             "-color_range", "tv"};
-  std::vector<std::string> words{"ffmpeg", "-nostdin", "-hide_banner", "-loglevel",
-                                 "error",  "-y",       "-f",           "yuv4mpegpipe"};
-  static constexpr const char* kInput[] = {"-i", "-",       "-map_metadata",
-                                           "-1", "-fflags", "+bitexact"};
-  using Words = std::span<const char* const>;
-  for (const Words more : {Words(kColours), Words(kInput), Words(kColours), format.by_ffmpeg})
-    words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
-
-// A file of all frames of a sequence while it is written: a plain file, standard output, or what a
-// program makes of the parts. A file has its name once it is whole; where it never is, nothing is
-// left. What ends the other side of a pipe ends the write, not flatray.
-class VideoFile {
- public:
-  // `path` is "-" for standard output.
-  // Error   Trouble::output; Trouble::unavailable where the format's program is not on this
-  //         machine, with what to install.
-  static Result<VideoFile> begin(const PictureFormat& format, const std::filesystem::path& path) {
-    ::signal(SIGPIPE, SIG_IGN);  // who reads no more is told as an error of the write
-    ::signal(SIGCHLD, SIG_DFL);  // where it is ignored, nobody is told how a program ended
-    VideoFile video(path);
-    if (path == "-") return video;
-    FLATRAY_TRY(file, NewFile::begin(path));
-    video.file_.emplace(std::move(*file));
-    if (format.by_ffmpeg.empty()) return video;
-    auto program = ChildProgram::start(words_for(format), video.file_->descriptor(),
-                                       "apt install ffmpeg; without it, say -o video.y4m");
-    if (!program) return at_file(path, std::move(program).error());
-    video.program_.emplace(std::move(*program));
-    return video;
-  }
-
-  // The bytes of the next part. Error   Trouble::output, with what the program said.
-  Result<void> add(std::span<const std::byte> bytes) {
-    if (program_) {
-      if (program_->feed(bytes)) return {};
-      auto ended = program_->finish(&interrupted);
-      if (!ended) return at_file(path_, std::move(ended).error());
-      return fail(named_place(path_.string()), "the program that makes it has read but a part", "",
-                  Trouble::output);
-    }
-    if (file_) return file_->add(bytes);
-    if (write_all(Descriptor(STDOUT_FILENO), bytes)) return {};
-    const int error = errno;
-    return fail(named_place("standard output"),
-                fmt::format("cannot write: {}", std::strerror(error)),
-                error == EPIPE ? "the program that reads it has ended" : "", Trouble::output);
-  }
-
-  // Whether it is a file, which is there whole or not at all, and not standard output.
-  bool is_file() const { return file_.has_value(); }
-
-  // Gives it its name.
-  Result<void> finish() {
-    if (program_) {
-      if (auto ended = program_->finish(&interrupted); !ended)
-        return at_file(path_, std::move(ended).error());
-      // It ends with 0 on a full disk, too. What it says are errors, or nothing.
-      const std::string words = program_->last_words();
-      if (!words.empty() || ::lseek(file_->descriptor().get(), 0, SEEK_END) <= 0)
-        return fail(named_place(path_.string()), "ffmpeg ended before it was whole",
-                    words.empty() ? "it wrote nothing" : "it said: " + words, Trouble::output);
-    }
-    if (!file_) return {};
-    if (auto kept = file_->flush(); !kept) return kept;
-    if (auto named = file_->take_name(); !named) return named;
-    flush_folder(folder_of(path_));
-    return {};
-  }
-
- private:
-  explicit VideoFile(const std::filesystem::path& path) : path_(path) {}
-
-  std::filesystem::path path_;
-  std::optional<NewFile> file_;          // none: standard output
-  std::optional<ChildProgram> program_;  // that writes the file
-};
 
 // A thread that draws, from one turn to the next, and what it has drawn in this one.
 struct DrawingThread {

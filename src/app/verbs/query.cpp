@@ -1,20 +1,15 @@
 #include "app/query/query.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdio>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
 
-#include "app/files/journal.h"
 #include "app/files/scene_input.h"
 #include "app/options/tracer_choice.h"
+#include "app/query/line_stream.h"
 #include "app/verb.h"
-#include "base/descriptor.h"
 #include "base/parallel.h"
 #include "precise/certified_orbit.h"
 
@@ -29,87 +24,6 @@ struct Options : Arguments {
     precision.rows(row);
     row_of_threads(row, threads);
   }
-};
-
-// A line of a stream, without its end.
-struct StreamLine {
-  std::string_view text;
-  bool too_long = false;  // above LineStream::kLongest: what it held is gone
-};
-
-// Lines of a file or of standard input, block after block, in memory that does not grow with their
-// number. A block is what has arrived: a program that asks one question and waits gets its answer.
-class LineStream {
- public:
-  // "-" is standard input.
-  // Error   Trouble::missing, naming the path and the system's reason.
-  static Result<LineStream> open(const std::string& path) {
-    const bool is_input = path == "-";  // which stays open when the stream closes its own
-    const std::string name = is_input ? "standard input" : path;
-    Descriptor file(is_input ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
-                             : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file) return cannot("read", name, errno, Trouble::missing);
-    return LineStream(std::move(file), name);
-  }
-
-  // The next whole lines, at most some hundred kilobytes unless one line is longer; empty at the
-  // end. They last until the next call.
-  // Error   Trouble::missing where it cannot be read.
-  Result<std::vector<StreamLine>> next() {
-    room_.erase(0, used_);
-    used_ = 0;
-    std::size_t end = room_.rfind('\n');
-    while (!ended_ && end == std::string::npos) {
-      const std::size_t before = room_.size();
-      FLATRAY_TRY(filled, fill());
-      const std::size_t last = std::string_view(room_).substr(before).rfind('\n');
-      if (last != std::string_view::npos) end = before + last;
-      if (end != std::string::npos || room_.size() <= kLongest) continue;
-      FLATRAY_TRY(skipped, skip_line());
-      return std::vector<StreamLine>{{{}, true}};
-    }
-    used_ = end == std::string::npos ? room_.size() : end + 1;
-    std::vector<StreamLine> lines;
-    each_line({room_.data(), used_}, [&](std::string_view line) { lines.push_back({line}); });
-    return lines;
-  }
-
-  static constexpr std::size_t kLongest = std::size_t{1} << 24;
-
- private:
-  LineStream(Descriptor file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}
-
-  // Reads once, and tells the end.
-  Result<void> fill() {
-    constexpr std::size_t kBlock = std::size_t{1} << 18;
-    const std::size_t before = room_.size();
-    room_.resize(before + kBlock);
-    ssize_t count = -1;
-    do count = ::read(file_.get(), room_.data() + before, kBlock);
-    while (count < 0 && errno == EINTR);
-    room_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (count < 0) return cannot("read", name_, errno, Trouble::missing);
-    ended_ = count == 0;
-    return {};
-  }
-
-  // To the end of a line, however long, in the room of a block.
-  Result<void> skip_line() {
-    std::size_t end = std::string::npos;
-    while (!ended_ && end == std::string::npos) {
-      room_.clear();
-      FLATRAY_TRY(filled, fill());
-      end = room_.find('\n');
-    }
-    room_.erase(0, end == std::string::npos ? end : end + 1);
-    return {};
-  }
-
-  Descriptor file_;
-  std::string name_;
-  std::string room_;
-  std::size_t used_ = 0;  // bytes of room_ handed out by the last call
-  bool ended_ = false;
 };
 
 // Questions are answered in waves, so that few answers wait for one before them: long ones, of

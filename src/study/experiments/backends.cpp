@@ -46,8 +46,9 @@ Result<void> add_frames(const ExperimentContext& context, unsigned samples, Repo
   report.opened += (*renderer)->description() + "\n";
   const unsigned last = context.scene.frames;
   FLATRAY_TRY(timeline, make_timeline(context.scene, context.scene.seed, last));
+  const auto plan = make_plan(context.scene, false);
   for (const unsigned frame : std::set<unsigned>{1, (last + 1) / 2, last}) {
-    FLATRAY_TRY(list, draw_list(make_plan(context.scene, false), *timeline, frame));
+    FLATRAY_TRY(list, draw_list(plan, *timeline, frame));
     FLATRAY_TRY(added, add_frame(context, **renderer, samples, *list, frame, report));
   }
   return {};
