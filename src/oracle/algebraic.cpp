@@ -17,19 +17,31 @@ Rational at(const Polynomial& p, const Rational& x) {
   return sum;
 }
 
+// What is told by halving intervals is told before they are so often halved, or so small a part, as a rule.
+constexpr int kHalved = 32;
+constexpr double kLeastPart = 0x1p-4;
+
 struct Interval {
   Rational low, high;
+  // Of all its numbers; zero where they differ.
+  Sign sign() const { return low.sign() == high.sign() ? low.sign() : Sign::zero; }
 };
+
+// An end of the products of two intervals: the lower one for way < 0.
+Rational end_of_products(const Interval& a, const Interval& b, int way) {
+  const auto farther = [way](Rational x, Rational y) { return (way < 0) == (x < y) ? x : y; };
+  if (b.low < 0)
+    return farther(farther(a.low * b.low, a.low * b.high),
+                   farther(a.high * b.low, a.high * b.high));
+  const Rational& end = way < 0 ? a.low : a.high;
+  return end * ((way < 0) == (end < 0) ? b.high : b.low);
+}
 
 // Of the values of a polynomial on an interval, by Horner's rule.
 Interval range_of(const Polynomial& p, const Interval& x) {
   Interval sum;
-  for (std::size_t i = p.size(); i-- > 0;) {
-    const Rational corners[] = {sum.low * x.low, sum.low * x.high, sum.high * x.low,
-                                sum.high * x.high};
-    const auto [least, most] = std::minmax_element(std::begin(corners), std::end(corners));
-    sum = {*least + p[i], *most + p[i]};
-  }
+  for (std::size_t i = p.size(); i-- > 0;)
+    sum = {end_of_products(sum, x, -1) + p[i], end_of_products(sum, x, 1) + p[i]};
   return sum;
 }
 
@@ -112,6 +124,11 @@ Polynomial of_values(const Polynomial& p, const Polynomial& q) {
   return found;
 }
 
+Polynomial polynomial_of(const Surd& x) {
+  if (x.s == 0 || x.q == 0) return {-x.p, 1};
+  return {x.p * x.p - x.q, -x.p * 2, 1};
+}
+
 }  // namespace
 
 Polynomial derivative(const Polynomial& p) {
@@ -130,36 +147,71 @@ Polynomial common_divisor(Polynomial p, Polynomial q) {
   return p;
 }
 
+struct Algebraic::Value {
+  Algebraic of;
+  Polynomial polynomial;
+};
+
 Algebraic::Algebraic(Polynomial p, Rational low, Rational high)
     : p_(std::move(p)), low_(std::move(low)), high_(std::move(high)) {
   if (p_.size() == 2) low_ = high_ = -p_[0] / p_[1];
-  if (at(p_, low_) == 0) high_ = low_;
-  if (at(p_, high_) == 0) low_ = high_;
+  settle();
 }
 
 Algebraic::Algebraic(const Surd& surd)
-    : Algebraic(surd.s == 0 || surd.q == 0 ? Polynomial{-surd.p, 1}
-                                           : Polynomial{surd.p * surd.p - surd.q, -surd.p * 2, 1},
-                surd.p - (surd.s < 0 ? surd.q + 1 : 0), surd.p + (surd.s > 0 ? surd.q + 1 : 0)) {}
+    : Algebraic(polynomial_of(surd), surd.p - (surd.s < 0 ? surd.q + 1 : 0),
+                surd.p + (surd.s > 0 ? surd.q + 1 : 0)) {
+  const double t = surd.nearest();
+  if (low_ == high_ || !std::isfinite(t)) return;
+  const Rational low = middle_to(t, -kInfinity), high = middle_to(t, kInfinity);
+  if (at(p_, low).sign() == at_low_ && at(p_, high).sign() == -at_low_) low_ = low, high_ = high;
+}
+
+Algebraic::Algebraic(std::shared_ptr<const Value> value) : value_(std::move(value)) {
+  take_range();
+}
+
+void Algebraic::take_range() const {
+  Interval range = range_of(value_->polynomial, {value_->of.low_, value_->of.high_});
+  low_ = std::move(range.low), high_ = std::move(range.high);
+}
+
+void Algebraic::settle() const {
+  if (at(p_, high_) == 0) low_ = high_;
+  at_low_ = at(p_, low_).sign();
+  if (at_low_ == Sign::zero) high_ = low_;
+}
 
 std::vector<Algebraic> Algebraic::roots(const Polynomial& p, const Rational& low,
                                         const Rational& high) {
   Polynomial given = p;
   trim(given);
-  const Polynomial simple = without_double_roots(given);
+  const Polynomial slope = derivative(given);
+  const Rational least = (high - low) * kLeastPart;  // of parts that signs of values tell about
+  Polynomial simple;
   std::vector<Algebraic> found;
-  if (at(simple, low) == 0) found.push_back(Algebraic(simple, low, low));
-  std::vector<Interval> parts{{low, high}};
+  if (at(given, low) == 0) found.push_back(Algebraic({-low, 1}, low, low));
+  std::vector<Interval> parts{{low, high}};  // without their lower ends
   while (!parts.empty()) {
     const Interval part = std::move(parts.back());
     parts.pop_back();
-    const int count = roots_between(simple, part.low, part.high);
-    if (count == 0) continue;
-    // The root that `part` leaves out, if it is one, is no end of an interval that holds another.
-    const bool alone = count == 1 && at(simple, part.low) != 0;
-    if (alone) {
-      found.push_back(Algebraic(simple, part.low, part.high));
+    if (range_of(given, part).sign() != Sign::zero) continue;
+    const bool rises_or_falls = range_of(slope, part).sign() != Sign::zero;
+    if (rises_or_falls) {
+      const Sign first = at(given, part.low).sign();
+      if (first != Sign::zero && at(given, part.high).sign() != first)
+        found.push_back(Algebraic(given, part.low, part.high));
       continue;
+    }
+    if (part.high - part.low <= least) {
+      if (simple.empty()) simple = without_double_roots(given);
+      const int count = roots_between(simple, part.low, part.high);
+      if (count == 0) continue;
+      // The root that `part` leaves out, if it is one, is no end of an interval that holds another.
+      if (count == 1 && at(simple, part.low) != 0) {
+        found.push_back(Algebraic(simple, part.low, part.high));
+        continue;
+      }
     }
     const Rational middle = (part.low + part.high) / 2;
     parts.push_back({middle, part.high});
@@ -169,12 +221,28 @@ std::vector<Algebraic> Algebraic::roots(const Polynomial& p, const Rational& low
 }
 
 void Algebraic::halve() const {
+  if (p_.empty()) {
+    value_->of.halve();
+    take_range();
+    return;
+  }
   const Rational middle = (low_ + high_) / 2;
   const Sign sign = at(p_, middle).sign();
   if (sign == Sign::zero)
     low_ = high_ = middle;
   else
-    (sign == at(p_, low_).sign() ? low_ : high_) = middle;
+    (sign == at_low_ ? low_ : high_) = middle;
+}
+
+const Polynomial& Algebraic::polynomial() const {
+  if (p_.empty()) {
+    Polynomial simple =
+        without_double_roots(of_values(value_->of.polynomial(), value_->polynomial));
+    while (roots_in(simple, low_, high_) != 1) halve();
+    p_ = std::move(simple);
+    settle();
+  }
+  return p_;
 }
 
 bool Algebraic::is_root_of(const Polynomial& divisor) const {
@@ -182,29 +250,27 @@ bool Algebraic::is_root_of(const Polynomial& divisor) const {
 }
 
 Sign Algebraic::sign_of(const Polynomial& q) const {
-  if (is_root_of(common_divisor(p_, q))) return Sign::zero;
-  for (;; halve()) {
+  for (int halved = 0;; ++halved, halve()) {
     const Interval range = range_of(q, {low_, high_});
     if (range.low.sign() == range.high.sign()) return range.low.sign();
+    if (halved == kHalved && is_root_of(common_divisor(polynomial(), q))) return Sign::zero;
   }
 }
 
 Algebraic Algebraic::value_of(const Polynomial& q) const {
-  const Polynomial simple = without_double_roots(of_values(p_, q));
-  for (;; halve()) {
-    const Interval range = range_of(q, {low_, high_});
-    if (roots_in(simple, range.low, range.high) == 1) return {simple, range.low, range.high};
-  }
+  if (low_ == high_) return Algebraic(Surd{at(q, low_), 0, 0});
+  return Algebraic(std::make_shared<const Value>(Value{*this, q}));
 }
 
 std::strong_ordering Algebraic::operator<=>(const Algebraic& b) const {
-  const Rational low = std::max(low_, b.low_), high = std::min(high_, b.high_);
-  const Polynomial common = common_divisor(p_, b.p_);
-  if (low <= high && common.size() > 1 && roots_in(common, low, high) > 0)
-    return std::strong_ordering::equal;
-  for (;; halve(), b.halve()) {
+  for (int halved = 0;; ++halved, halve(), b.halve()) {
     if (high_ < b.low_) return std::strong_ordering::less;
     if (low_ > b.high_) return std::strong_ordering::greater;
+    if (halved != kHalved) continue;
+    const Polynomial common = common_divisor(polynomial(), b.polynomial());
+    const Rational low = std::max(low_, b.low_), high = std::min(high_, b.high_);
+    if (low <= high && common.size() > 1 && roots_in(common, low, high) > 0)
+      return std::strong_ordering::equal;
   }
 }
 

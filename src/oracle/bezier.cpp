@@ -59,7 +59,7 @@ std::vector<BezierMeeting> meetings_with_point(const Vec2& point, std::span<cons
 // What is linear along a ray: at its origin, and with t.
 struct Linear {
   Rational start, rate;
-  Sign sign_at(const Algebraic& t) const { return t.sign_of({start, rate}); }
+  Sign sign_at(const Surd& t) const { return t.mapped(start, rate).sign(); }
 };
 
 // A weighted quadratic curve with the control points a, b, c and the weight w of b is where the shares u, v, x
@@ -78,8 +78,7 @@ std::vector<BezierMeeting> meetings_with_conic(const Ray& ray, const Bezier& cur
   const Rational linear = v.start * v.rate * 2 - four * (u.start * x.rate + u.rate * x.start);
   const Rational square = v.rate * v.rate - four * u.rate * x.rate;
   std::vector<BezierMeeting> found;
-  const auto add = [&](const Surd& time, int multiplicity, bool falls) {
-    const Algebraic t(time);
+  const auto add = [&](const Surd& t, int multiplicity, bool falls) {
     const Sign turn = turns_left ? Sign::positive : Sign::negative;
     const Sign first = u.sign_at(t) * turn, middle = v.sign_at(t) * turn,
                last = x.sign_at(t) * turn;
@@ -91,7 +90,7 @@ std::vector<BezierMeeting> meetings_with_conic(const Ray& ray, const Bezier& cur
                       : multiplicity == 2   ? Root::both
                       : falls == turns_left ? Root::second
                                             : Root::first;
-    found.push_back({t, Algebraic(Surd{s, 0, 0}), multiplicity, root, false});
+    found.push_back({Algebraic(t), Algebraic(Surd{s, 0, 0}), multiplicity, root, false});
   };
   if (square == 0 && linear == 0) {
     if (constant == 0) add({0, 0, 0}, 0, false);
@@ -140,7 +139,7 @@ std::optional<WallHitOf<Algebraic>> first_wall_hit(const Ray& ray, const Bezier&
   if (all.empty()) return std::nullopt;
   WallHitOf<Algebraic> first{all[0].t, HitClass::touch, all[0].root, false};
   for (const BezierMeeting& met : all) {
-    if (met.t != first.t) break;
+    if (&met != all.data() && met.t != first.t) break;
     if (met.multiplicity % 2 == 1) first.kind = HitClass::through, first.root = met.root;
     first.at_end = first.at_end || met.at_end() || &met != all.data();
   }

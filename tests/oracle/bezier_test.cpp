@@ -39,6 +39,18 @@ TEST(Algebraic, RootsAreFoundOnceEachInOrder) {
   EXPECT_EQ(Algebraic::roots(p, -1.75, 0.75).size(), 1U);
 }
 
+TEST(Algebraic, NeighboursAreTwoRoots) {
+  const Rational apart = 0x1p-40;
+  // u (u - apart) for u = 3 x - 1
+  const auto both = Algebraic::roots({apart + 1, -(apart * 3 + 6), 9}, 0, 1);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0], number(Rational(1) / 3));
+  EXPECT_EQ(both[1], number((apart + 1) / 3));
+  EXPECT_LT(both[0], both[1]);
+  EXPECT_EQ(both[1].value_of({-1, 3}), number(apart));
+  EXPECT_LT(both[0].value_of({-1, 3}), both[1].value_of({-1, 3}));
+}
+
 TEST(Algebraic, ValuesAndSignsAreThoseOfPolynomials) {
   const Algebraic root = Algebraic::roots({-2, 0, 0, 1}, 0, 2)[0];    // the cube root of 2
   const Algebraic square = Algebraic::roots({-4, 0, 0, 1}, 0, 2)[0];  // of 4
@@ -50,6 +62,7 @@ TEST(Algebraic, ValuesAndSignsAreThoseOfPolynomials) {
   EXPECT_LT(root, square);
   EXPECT_LT(number(0, 1, 2), square);
   EXPECT_GT(number(-3, 1, 20), number(0, 1, 2));
+  EXPECT_LT(number(1, -1, 0x1p-300), number(1, 1, 0x1p-300));  // one nearest double
 }
 
 TEST(Algebraic, HalvesGoToEven) {
