@@ -29,7 +29,9 @@ struct Interval {
 
 // An end of the products of two intervals: the lower one for way < 0.
 Rational end_of_products(const Interval& a, const Interval& b, int way) {
-  const auto farther = [way](Rational x, Rational y) { return (way < 0) == (x < y) ? x : y; };
+  const auto farther = [way](const Rational& x, const Rational& y) {
+    return (way < 0) == (x < y) ? x : y;
+  };
   if (b.low < 0)
     return farther(farther(a.low * b.low, a.low * b.high),
                    farther(a.high * b.low, a.high * b.high));
