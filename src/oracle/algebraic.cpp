@@ -17,7 +17,8 @@ Rational at(const Polynomial& p, const Rational& x) {
   return sum;
 }
 
-// What is told by halving intervals is told before they are so often halved, or so small a part, as a rule.
+// Halving an interval decides most questions within so many steps, or in parts no smaller than this share of it; what is left
+// goes to common divisors and Sturm's chains.
 constexpr int kHalved = 32;
 constexpr double kLeastPart = 0x1p-4;
 
