@@ -1,4 +1,4 @@
-// Goals S1 to S6: what rays meet first, by the exact tracers, the paper's method and Embree as far as it is
+// Goals S1 to S6 and S16: what rays meet first, by the exact tracers, the paper's method and Embree as far as it is
 // built in, in million rays a second of one thread; then the memory and the time to build (S15).
 //   trace_nearest [--cells RAYS,SCENE] [--most N]     e.g. --cells random,uniform --most 4096
 #include <fmt/core.h>
@@ -58,11 +58,11 @@ std::vector<std::unique_ptr<bench::Tracing>> contenders(const bench::Room& room,
   bench::Tracings all;
   for (const flatray::Tracer* tracer : flatray::tracers())
     if (std::strcmp(tracer->name, "grid") == 0 ||
-        (segments <= 256 && (std::strcmp(tracer->name, "brute") == 0 ||
-                             std::strncmp(tracer->name, "cyrus-beck", 10) == 0)))
+        (room.walls.segments.size() <= 256 && std::strcmp(tracer->name, "brute") == 0) ||
+        (segments <= 256 && std::strncmp(tracer->name, "cyrus-beck", 10) == 0))
       all.push_back(std::make_unique<Flatray>(*tracer, room.walls));
   all.push_back(std::make_unique<OneByOne>(*flatray::choose_tracer(room.walls).tracer, room.walls));
-  if (room.walls.arcs.empty()) bench::add_plain_lanes(room.walls, all);
+  if (room.walls.curve_numbers.empty()) bench::add_plain_lanes(room.walls, all);
 #ifdef BENCH_EMBREE
   bench::add_embree(room.walls, 0.5, all);
 #endif
@@ -77,7 +77,7 @@ void print_row(const std::string& rays, const bench::Layout& layout, std::size_t
     if (all[i]->name().starts_with("Embree")) best_peer = std::max(best_peer, mrays[i]);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool own = all[i]->name().starts_with("flatray");
-    fmt::print("| {:7} | {:7} | {:7} | {:25} | {:12} | {:8.3f} | {:>5} | {:7.1e} |\n", rays,
+    fmt::print("| {:7} | {:12} | {:7} | {:25} | {:12} | {:8.3f} | {:>5} | {:7.1e} |\n", rays,
                layout.name, segments, all[i]->name(), all[i]->arithmetic(), mrays[i],
                own && best_peer > 0 ? fmt::format("{:.2f}", mrays[i] / best_peer) : "", differ[i]);
   }
@@ -126,7 +126,7 @@ void compare_scene(std::size_t segments, const bench::Layout& layout, const Opti
   if (plain) try_rays("grid", bench::pixel_grid(count, room.side));
   for (const auto& one : all)
     if (!one->remark().empty()) fmt::print("{}: {}\n", one->name(), one->remark());
-  if (!layout.discs && options.wants("chamber", layout)) compare_chambers(room, layout, all);
+  if (layout.curved == 0 && options.wants("chamber", layout)) compare_chambers(room, layout, all);
 }
 
 Options read_options(int count, char** arguments) {
@@ -143,20 +143,21 @@ Options read_options(int count, char** arguments) {
 int main(int count, char** arguments) {
   const Options options = read_options(count, arguments);
   fmt::print(
-      "\nS1 to S6: million rays a second, medians of rounds in turn, CPU time of one "
+      "\nS1 to S6, S16: million rays a second, medians of rounds in turn, CPU time of one "
       "thread;\n"
-      "arithmetic: what decides whether a ray meets a wall; Embree has no formula of circles, "
+      "arithmetic: what decides whether a ray meets a wall; Embree has no formula of curves, "
       "which are\n"
       "its user geometry: found by its tree, and decided by ours in floats;\n"
       "ratio: to the best of Embree in that row; differ: share of rays whose t is not the first\n"
       "row's to 0.1 % (floats tie, and miss).\n"
-      "| rays    | scene   |       N | who                       | arithmetic   |  Mrays/s | ratio "
+      "| rays    | scene        |       N | who                       | arithmetic   |  Mrays/s | "
+      "ratio "
       "| differ |\n"
       "|---|---|---|---|---|---|---|---|\n");
   for (const std::size_t segments : {16UL, 256UL, 4096UL, 65536UL, 1048576UL})
     if (segments <= options.most) compare_scene(segments, bench::kUniform, options);
-  for (const bench::Layout& layout :
-       {bench::kPower2, bench::kSparse, bench::kPower6, bench::kDiscs})
+  for (const bench::Layout& layout : {bench::kPower2, bench::kSparse, bench::kPower6})
     for (const std::size_t segments : {4096UL, 65536UL})
       if (segments <= options.most) compare_scene(segments, layout, options);
+  for (const bench::Layout& layout : bench::kCurved) compare_scene(1000, layout, options);
 }
