@@ -25,9 +25,32 @@ std::optional<std::vector<BezierRoot>> enclosed_roots(const Make& number, const 
   return found;
 }
 
+// Those that doubles tell apart, each by one more step of Newton's method, which makes twice the digits.
+std::optional<std::vector<BezierRoot>> refined_roots(const Bezier& curve, const Ray& ray) {
+  const auto plain = [](const Near& x) { return x.value(); };
+  const auto roots = bernstein_roots(kNear, plain, beside_ray(kNear, curve, ray), 2);
+  if (!roots) return std::nullopt;
+  const Bernstein<Quick> beside = beside_ray(kQuick, curve, ray);
+  const Bernstein<Quick> rise = bernstein_derivative(beside);
+  std::vector<BezierRoot> found;
+  for (const auto& [near, multiplicity, slope] : *roots) {
+    Quick s = near.value();
+    if (near.error() > 0) {
+      const Quick around = Quick::within(near.value(), near.error());
+      s = s - bernstein_value(beside, s) / bernstein_value(rise, around);
+    }
+    found.push_back({Root::none, static_cast<int>(found.size()), multiplicity, slope,
+                     Bounded(s.value(), s.error()), false});
+  }
+  return found;
+}
+
 std::optional<std::vector<BezierRoot>> quick_roots(const Bezier& curve, const Ray& ray) {
   std::optional<std::vector<BezierRoot>> quick;
-  with_fused([&] { quick = enclosed_roots(kQuick, curve, ray); });
+  with_fused([&] {
+    quick = refined_roots(curve, ray);
+    if (!quick) quick = enclosed_roots(kQuick, curve, ray);
+  });
   return quick ? quick : enclosed_roots(kBounded, curve, ray);
 }
 
