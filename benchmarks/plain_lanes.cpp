@@ -16,9 +16,12 @@ namespace {
 
 using flatray::CellGrid;
 using flatray::lanes::Grid;
+using flatray::lanes::kCurve;
 using flatray::lanes::kDoubt;
 using flatray::lanes::kNear;
 using flatray::lanes::kNoRecord;
+using flatray::lanes::kPart;
+using flatray::lanes::kSecond;
 using flatray::lanes::kSide;
 using flatray::lanes::kTime;
 using flatray::lanes::Rays;
@@ -82,7 +85,10 @@ class PlainLanes : public Tracing {
       const Rays rays = {&rays_.ox[begin], &rays_.oy[begin], &rays_.dx[begin], &rays_.dy[begin],
                          w.count};
       kernels.prepare(grid_.view(), rays, w, fate.data());
-      plain::walk_all<false>(grid_.view(), w, found.data());
+      plain::walk_all(grid_.view(), w, found.data(),
+                      [](const plain::Constants& c, const Grid& grid, plain::Group& g) {
+                        plain::test<false>(c, grid, g);
+                      });
       for (std::size_t i = 0; i < count; ++i)
         slots_[begin + i] = found[i] < 0 ? 0 : static_cast<std::uint32_t>(found[i]);
       finish(rays, begin);

@@ -64,7 +64,7 @@ std::vector<std::unique_ptr<bench::Tracing>> contenders(const bench::Room& room,
   all.push_back(std::make_unique<OneByOne>(*flatray::choose_tracer(room.walls).tracer, room.walls));
   if (room.walls.curve_numbers.empty()) bench::add_plain_lanes(room.walls, all);
 #ifdef BENCH_EMBREE
-  bench::add_embree(room.walls, 0.5, all);
+  if (room.walls.beziers.empty()) bench::add_embree(room.walls, 0.5, all);
 #endif
   return all;
 }

@@ -1,6 +1,7 @@
 // Embree 4 or 3, single rays and packets of 8 and 16. A segment is a quad through z in [-depth, depth], rays
-// lie in z = 0. Embree has no formula for a circle in a plane: circles are user geometry, found by its tree
-// and met by the textbook's formula in floats.
+// lie in z = 0. Embree has no formula for a circle in a plane: circles and parts of them are user geometry, found by
+// its tree and met by the textbook's formula in floats, a part where the point is on the side of its chord. Bezier curves
+// it does not know.
 #if FLATRAY_EMBREE_MAJOR == 4
 #include <embree4/rtcore.h>
 #else
@@ -19,16 +20,38 @@ namespace {
 constexpr float kNever = std::numeric_limits<float>::infinity();
 enum GeometryId : unsigned { kSegments, kCircles };
 
+// A circle, or the part of it that lies where (point - centre) . middle >= cut; its box.
 struct Disc {
-  float x, y, radius;
+  float x, y, radius, middle_x, middle_y, cut, low_x, low_y, high_x, high_y;
 };
+Disc disc_of(const flatray::Arc& arc) {
+  using flatray::Vec2;
+  const Vec2& centre = arc.curve.centre;
+  const double r = arc.curve.u.x();
+  const bool is_whole = arc.extent == flatray::Arc::Extent::whole;
+  const Vec2 chord = is_whole ? Vec2(0, 1) : Vec2((arc.to - arc.from).normalized());
+  const Vec2 middle(chord.y(), -chord.x());
+  const double cut = is_whole ? -2 * r : middle.dot(arc.from - centre);
+  flatray::Bounds box;
+  if (!is_whole) {
+    box.add(arc.from);
+    box.add(arc.to);
+  }
+  for (const Vec2& pole : {Vec2(r, 0), Vec2(0, r), Vec2(-r, 0), Vec2(0, -r)})
+    if (middle.dot(pole) >= cut) box.add(centre + pole);
+  const Vec2 off = Vec2::Constant(1e-6 * (centre.cwiseAbs().sum() + r));
+  const Vec2 low = box.low - off, high = box.high + off;
+  const auto single = [](double x) { return static_cast<float>(x); };
+  return {single(centre.x()), single(centre.y()), single(r),       single(middle.x()),
+          single(middle.y()), single(cut),        single(low.x()), single(low.y()),
+          single(high.x()),   single(high.y())};
+}
 
 void bound(const RTCBoundsFunctionArguments* arguments) {
   const Disc& disc = static_cast<const Disc*>(arguments->geometryUserPtr)[arguments->primID];
-  const float reach = disc.radius + 1e-6F * (std::fabs(disc.x) + std::fabs(disc.y) + disc.radius);
   RTCBounds& box = *arguments->bounds_o;
-  box.lower_x = disc.x - reach, box.lower_y = disc.y - reach, box.lower_z = -reach;
-  box.upper_x = disc.x + reach, box.upper_y = disc.y + reach, box.upper_z = reach;
+  box.lower_x = disc.low_x, box.lower_y = disc.low_y, box.lower_z = -disc.radius;
+  box.upper_x = disc.high_x, box.upper_y = disc.high_y, box.upper_z = disc.radius;
 }
 
 // Rays are of unit length.
@@ -41,11 +64,17 @@ void meet(const RTCIntersectFunctionNArguments* arguments) {
     if (arguments->valid[i] == 0) continue;
     const float wx = RTCRayN_org_x(rays, count, i) - disc.x;
     const float wy = RTCRayN_org_y(rays, count, i) - disc.y;
-    const float b = RTCRayN_dir_x(rays, count, i) * wx + RTCRayN_dir_y(rays, count, i) * wy;
+    const float dx = RTCRayN_dir_x(rays, count, i), dy = RTCRayN_dir_y(rays, count, i);
+    const float b = dx * wx + dy * wy;
     const float root = std::sqrt(b * b - (wx * wx + wy * wy - disc.radius * disc.radius));
     const float near = RTCRayN_tnear(rays, count, i);
-    const float t = -b - root >= near ? -b - root : -b + root;
-    if (!(t >= near && t < RTCRayN_tfar(rays, count, i))) continue;
+    const auto is_met = [&](float t) {
+      return t >= near && t < RTCRayN_tfar(rays, count, i) &&
+             (wx + t * dx) * disc.middle_x + (wy + t * dy) * disc.middle_y >= disc.cut;
+    };
+    float t = -b - root;
+    if (!is_met(t)) t = -b + root;
+    if (!is_met(t)) continue;
     RTCRayN_tfar(rays, count, i) = t;
     RTCHitN_primID(hits, count, i) = arguments->primID;
     RTCHitN_geomID(hits, count, i) = arguments->geomID;
@@ -60,10 +89,7 @@ class Scene {
         segment_numbers_(walls.segment_numbers),
         circle_numbers_(walls.curve_numbers) {
     if (!walls.segments.empty()) attach(quads(walls, static_cast<float>(depth)), kSegments);
-    for (const flatray::Arc& arc : walls.arcs)  // in these scenes whole circles
-      discs_.push_back({static_cast<float>(arc.curve.centre.x()),
-                        static_cast<float>(arc.curve.centre.y()),
-                        static_cast<float>(arc.curve.u.x())});
+    for (const flatray::Arc& arc : walls.arcs) discs_.push_back(disc_of(arc));  // of circles
     if (!discs_.empty()) attach(circles(), kCircles);
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
     rtcCommitScene(scene_);

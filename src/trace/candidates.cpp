@@ -1,7 +1,6 @@
 #include "trace/candidates.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "trace/curve_filter.h"
 #include "trace/exact_nearest.h"
@@ -24,10 +23,10 @@ void Candidates::take(const Candidate& candidate, double high) {
   std::erase_if(open_, [&](const Candidate& other) { return other.low > high_; });
 }
 
-void Candidates::offer_segment(std::uint32_t slot, double limit) {
+void Candidates::offer_segment(std::uint32_t slot) {
   ++tested_;
   const FilteredHit hit = filter_(walls_.segments[slot]);
-  if (hit.verdict == FilteredHit::Verdict::missed || hit.low > limit || hit.low > high_) return;
+  if (hit.verdict == FilteredHit::Verdict::missed || hit.low > high_) return;
   const std::uint32_t surface = walls_.segment_numbers[slot];
   if (is_known(surface)) return;
   take({surface, hit.low, hit.verdict == FilteredHit::Verdict::sure, Root::none}, hit.high);
@@ -43,17 +42,6 @@ void Candidates::offer_curve(std::uint32_t surface) {
   take({surface, hit.low, hit.verdict == FilteredHit::Verdict::sure, hit.root}, hit.high);
 }
 
-void Candidates::take_segment(std::uint32_t slot, double t) {
-  const bool timed = !std::isnan(t);
-  take({walls_.segment_numbers[slot], timed ? t * (1 - 0x1p-50) : 0, true, Root::none, t},
-       timed ? t * (1 + 0x1p-50) + kUnderflowError : kInfinity);
-}
-
-NearestHit Candidates::crossed(const Candidate& candidate) const {
-  if (std::isnan(candidate.t)) return crossing_hit(walls_, ray_, candidate.surface, candidate.root);
-  return {candidate.surface, HitClass::touch, Root::none, false, candidate.t};
-}
-
 NearestHit Candidates::first(bool tangents) {
   if (open_.empty()) return {};
   std::sort(open_.begin(), open_.end(),
@@ -62,7 +50,8 @@ NearestHit Candidates::first(bool tangents) {
       std::unique(open_.begin(), open_.end(),
                   [](const Candidate& a, const Candidate& b) { return a.surface == b.surface; }),
       open_.end());
-  if (open_.size() == 1 && open_.front().sure) return crossed(open_.front());
+  if (const Candidate& only = open_.front(); open_.size() == 1 && only.sure)
+    return crossing_hit(walls_, ray_, only.surface, only.root);
   ExactNearest search(walls_, ray_, departed_, tangents);
   for (const Candidate& candidate : open_) search.offer(candidate.surface);
   return search.hit();

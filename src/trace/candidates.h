@@ -1,5 +1,4 @@
 #pragma once
-#include <limits>
 #include <vector>
 
 #include "trace/hits.h"
@@ -18,15 +17,11 @@ class Candidates {
              double limit = kInfinity)
       : walls_(walls), ray_(ray), departed_(departed), filter_(ray), high_(limit) {}
 
-  /// A segment that the ray has not left; it need not be counted where it is surely met later than
-  /// `limit`.
-  void offer_segment(std::uint32_t slot, double limit = kInfinity);
+  /// A segment that the ray has not left.
+  void offer_segment(std::uint32_t slot);
   void offer_curve(std::uint32_t surface);
-  /// A segment that is surely crossed between its ends; `t` is the nearest double, NaN where not
-  /// known.
-  void take_segment(std::uint32_t slot, double t);
-
-  /// Whether nothing met later than t can be the first.
+  /// Nothing met later can be the first.
+  double latest() const { return high_; }
   bool settled(double t) const { return high_ < t; }
   bool empty() const { return open_.empty(); }
   /// Walls offered, those in several cells once for each.
@@ -36,17 +31,14 @@ class Candidates {
   NearestHit first(bool tangents);
 
  private:
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   struct Candidate {
     std::uint32_t surface;
-    double low;           // t is not surely less
-    bool sure;            // surely met
-    Root root;            // then, of a curve
-    double t = kUnknown;  // the nearest double, where known
+    double low;  // t is not surely less
+    bool sure;   // surely met
+    Root root;   // then, of a curve
   };
   bool is_known(std::uint32_t surface) const;
   void take(const Candidate& candidate, double high);
-  NearestHit crossed(const Candidate& candidate) const;
 
   const Surfaces& walls_;
   const Ray& ray_;

@@ -19,6 +19,13 @@ struct Raster {
   double margin;  ///< in cells
 };
 
+/// Where a raster lies among the cells of a grid: its corner (0, 0), and how many of its cells are as long as one of
+/// those.
+struct Frame {
+  Vec2 corner;
+  double parts;
+};
+
 /// Rows first, ..., last; none where last < first.
 struct RowRange {
   std::int32_t first, last;
@@ -55,6 +62,26 @@ void visit_cells(const Raster& raster, const RowRange& range, Vec2 a, Vec2 b, co
     for (auto column = std::max(cell_of(low - raster.margin), 0); column <= end; ++column)
       visit(column, row);
   }
+}
+
+/// A rectangle of cells.
+struct CellRect {
+  std::int32_t left, bottom, width, height;
+};
+/// Cells of a rectangle that a curve comes near to, by halves of it: `may_pass(middle, half)` is whether the
+/// curve does to the box of half sides `half` about `middle`.
+template <class MayPass, class Visit>
+void visit_rect(const CellRect& rect, const MayPass& may_pass, const Visit& visit) {
+  const auto [left, bottom, width, height] = rect;
+  const Vec2 half(0.5 * width, 0.5 * height);
+  if (width <= 0 || height <= 0 || !may_pass(Vec2(left, bottom) + half, half)) return;
+  if (width == 1 && height == 1) return visit(left, bottom);
+  const bool across = width >= height;
+  const std::int32_t w = across ? width / 2 : width, h = across ? height : height / 2;
+  visit_rect({left, bottom, w, h}, may_pass, visit);
+  visit_rect(across ? CellRect{left + w, bottom, width - w, height}
+                    : CellRect{left, bottom + h, width, height - h},
+             may_pass, visit);
 }
 
 /// Writes into the words of empty cells the sides of the squares of empty cells that grow from

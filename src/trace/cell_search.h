@@ -3,7 +3,6 @@
 #include "trace/cells.h"
 #include "trace/hits.h"
 #include "trace/rays.h"
-#include "trace/wall_cells.h"
 
 namespace flatray {
 
@@ -13,13 +12,17 @@ namespace flatray {
 /// Cost    about 1 us, some more where bounds do not decide; 15 ns a wall without cells.
 class CellSearch {
  public:
-  /// Needs   `walls`, `curves` and `grid`, which may be null, to outlive it.
-  CellSearch(const Surfaces& walls, const CellGrid* grid, const WallCells& curves)
-      : walls_(walls),
-        curves_(curves),
-        listed_(grid),
-        grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
+  /// Needs   `walls` and the cells of segments and of curves, which may be null, to outlive it.
+  CellSearch(const Surfaces& walls, const CellGrid* segments, const CellGrid* curves,
+             const lanes::WalkKernels& kernels)
+      : walls_(walls), segments_(segments), curves_(curves), kernels_(kernels) {
+    if (segments != nullptr) segment_view_ = segments->view();
+    if (curves != nullptr) curve_view_ = curves->view();
+  }
   NearestHit nearest(const Ray& ray, const DepartedSurface& departed, bool tangents) const;
+  /// The same where it is known what is the first of the segments, or that there is none.
+  NearestHit nearest_beside(const NearestHit& segment, const Ray& ray,
+                            const DepartedSurface& departed, bool tangents) const;
   /// Walls that it looks at for that, those in several cells once for each.
   std::size_t tested(const Ray& ray, const DepartedSurface& departed) const;
   /// Every hit, in order (Accelerator::all_of_one).
@@ -27,12 +30,14 @@ class CellSearch {
 
  private:
   Candidates candidates(const Ray& ray, const DepartedSurface& departed) const;
+  void offer_curves(Candidates& found, const Ray& ray) const;
   std::vector<std::uint32_t> segments_near(const Ray& ray) const;
+  std::vector<std::uint32_t> curves_near(const Ray& ray) const;
 
   const Surfaces& walls_;
-  const WallCells& curves_;
-  const CellGrid* listed_;  // what knows copies
-  const CellGrid* grid_;
+  const CellGrid *segments_, *curves_;
+  lanes::Grid segment_view_{}, curve_view_{};
+  const lanes::WalkKernels& kernels_;
 };
 
 }  // namespace flatray

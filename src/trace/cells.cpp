@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "trace/curve_records.h"
+
 namespace flatray {
 namespace {
 
@@ -17,6 +19,7 @@ constexpr double kFar = 0x1p18;   // times M: of origins whose entry is off by a
 constexpr double kMostRecords = 8;
 constexpr double kMostCells = 4;                // a segment: more did not pay anywhere
 constexpr std::size_t kCached = 16384;          // segments up to which all stays in the cache
+constexpr std::size_t kFewCurves = 16;          // that are in one list
 constexpr std::size_t kSecondCache = 1U << 20;  // bytes
 
 // Cells a segment, of segments that each are in 1 + crossings * sqrt(cells) cells: beyond the cache
@@ -37,10 +40,12 @@ std::int32_t even(double count) {
 
 bool CellGrid::measure(const Surfaces& walls) {
   Bounds box;
-  for (const Segment& segment : walls.segments) {
-    box.add(segment.a);
-    box.add(segment.b);
-  }
+  for (std::size_t slot = 0; slot < slots(walls); ++slot)
+    if (of_curves_)
+      box.add(
+          walls.visit(walls.curve_numbers[slot], [](const auto& wall) { return bounds_of(wall); }));
+    else
+      box.add(bounds_of(walls.segments[slot]));
   if (box.empty() || !(box.low.cwiseAbs().maxCoeff() < kLargest) ||
       !(box.high.cwiseAbs().maxCoeff() < kLargest))
     return false;
@@ -59,16 +64,24 @@ void CellGrid::set_cells(std::int32_t columns, std::int32_t rows) {
   stride_ = columns + 2;
   first_ = (half_rows + 1) * stride_ + half_columns + 1;
   scale_ = Vec2(columns - 2 * kRoom * unit_, rows - 2 * kRoom * unit_).cwiseQuotient(size_);
+  if (of_curves_) scale_.setConstant(scale_.minCoeff());  // so that circles are circles
+}
+
+// Of a segment, or twice that of a curve, which most often goes there and back.
+Vec2 CellGrid::extent_of(const Surfaces& walls, std::size_t slot) const {
+  if (!of_curves_) return (walls.segments[slot].b - walls.segments[slot].a).cwiseAbs();
+  return walls.visit(walls.curve_numbers[slot],
+                     [](const auto& wall) -> Vec2 { return 2 * bounds_of(wall).size(); });
 }
 
 // Long segments would be in so many cells that these are made larger.
 void CellGrid::divide(const Surfaces& walls) {
   double along_x = 0, along_y = 0;  // lengths of all, in sizes of the box
-  for (std::size_t slot = 0; slot < walls.segments.size(); ++slot) {
+  for (std::size_t slot = 0; slot < slots(walls); ++slot) {
     if (is_copy(slot)) continue;
-    const Segment& segment = walls.segments[slot];
-    along_x += std::fabs(segment.b.x() - segment.a.x()) / size_.x();
-    along_y += std::fabs(segment.b.y() - segment.a.y()) / size_.y();
+    const Vec2 extent = extent_of(walls, slot);
+    along_x += extent.x() / size_.x();
+    along_y += extent.y() / size_.y();
   }
   const auto segments = static_cast<double>(kept_);
   const double aspect = std::sqrt(size_.x() / size_.y());  // columns and rows of one cell each
@@ -91,6 +104,8 @@ lanes::Grid CellGrid::view() const {
   grid.cells = words_.empty() ? nullptr : words_.data();
   grid.records = records_.data();
   grid.slots = slots_.data();
+  grid.curves = of_curves_ ? curves_.data() : nullptr;
+  grid.ends = circles_.data();
   grid.centre_x = centre_.x();
   grid.centre_y = centre_.y();
   grid.scale_x = scale_.x();
@@ -107,24 +122,22 @@ lanes::Grid CellGrid::view() const {
   return grid;
 }
 
-Segment CellGrid::ends(const Segment& segment) const {
+Segment CellGrid::placed(const Segment& segment) const {
   return {place(segment.a), place(segment.b)};
 }
-
-CellGrid::Cell CellGrid::cell_at(const Vec2& place, const Turn& turn) const {
-  const Vec2 corner(std::floor(place.x()), std::floor(place.y()));
-  const auto index = [](double x, bool turned, double all) { return turned ? all - 1 - x : x; };
-  const double x = index(corner.x(), turn.x, 0), y = index(corner.y(), turn.y, 0);
-  const std::uint32_t word = words_[static_cast<std::size_t>(first_ + stride_ * y + x)];
-  if ((word >> 30) != 1) return {corner, 1, word};
-  const auto n = static_cast<double>(std::bit_cast<float>(word & 0x7f800000U));
-  const Vec2 part = n * (place - corner);
-  // Of a place just below a whole number the difference may round to 1.
-  const double column = std::min(std::floor(part.x()), n - 1);
-  const double row = std::min(std::floor(part.y()), n - 1);
-  const double at = index(row, turn.y, n) * n + index(column, turn.x, n);
-  return {corner + Vec2(column, row) / n, 1 / n,
-          words_[16 * std::size_t{word & 0x7fffffU} + static_cast<std::size_t>(at)]};
+Bezier CellGrid::placed(const Bezier& wall) const {
+  Bezier placed = wall;
+  for (Vec2& point : placed.points) point = place(point);
+  return placed;
+}
+// Of half a curve `from` is no point, but what it lies towards.
+Arc CellGrid::placed(const Arc& wall) const {
+  const auto& [centre, u, v] = wall.curve;
+  const bool is_half = wall.extent == Arc::Extent::half;
+  return {{place(centre), u.cwiseProduct(scale_), v.cwiseProduct(scale_)},
+          wall.extent,
+          is_half ? wall.from.cwiseQuotient(scale_) : place(wall.from),
+          place(wall.to)};
 }
 
 bool CellGrid::last(std::size_t record) const {
@@ -132,38 +145,61 @@ bool CellGrid::last(std::size_t record) const {
 }
 
 CellGrid::Mark CellGrid::mark(const Segment& segment) const {
-  const auto [a, b] = ends(segment);
+  const auto [a, b] = placed(segment);
   return {static_cast<float>(a.x()), static_cast<float>(a.y()), static_cast<float>(b.x())};
 }
 
 std::optional<CellGrid> CellGrid::build(const Surfaces& walls, unsigned threads) {
+  return build(walls, false, true, threads);
+}
+std::optional<CellGrid> CellGrid::build_list(const Surfaces& walls) {
+  return build(walls, false, false, 1);
+}
+std::optional<CellGrid> CellGrid::build_of_curves(const Surfaces& walls, unsigned threads) {
+  return build(walls, true, walls.curve_numbers.size() > kFewCurves, threads);
+}
+
+std::optional<CellGrid> CellGrid::build(const Surfaces& walls, bool of_curves, bool in_cells,
+                                        unsigned threads) {
   CellGrid grid;
+  grid.of_curves_ = of_curves;
   if (!grid.measure(walls)) return std::nullopt;
-  grid.find_copies(walls, threads);
-  grid.divide(walls);
-  grid.fill(walls, threads);
-  grid.find_twins(walls, threads);
+  grid.kept_ = grid.slots(walls);
+  if (!of_curves) grid.find_copies(walls, threads);
+  if (in_cells)
+    grid.divide(walls);
+  else
+    grid.set_cells(2, 2);
+  if (of_curves) grid.find_forms(walls);
+  if (in_cells)
+    grid.fill(walls, threads);
+  else
+    grid.fill_list(walls);
+  if (!of_curves) grid.find_twins(walls, threads);
   return grid;
 }
 
-std::optional<CellGrid> CellGrid::build_list(const Surfaces& walls) {
-  CellGrid grid;
-  if (!grid.measure(walls)) return std::nullopt;
-  grid.set_cells(2, 2);
-  grid.find_copies(walls, 1);
-  for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot)
-    if (!grid.is_copy(slot)) grid.slots_.push_back(slot);
-  const std::size_t count = grid.slots_.size();
-  grid.records_.resize(4 * (count + kBeyond));
-  for (std::size_t i = 0; i < count; ++i)
-    write_record(grid.ends(walls.segments[grid.slots_[i]]), i + 1 == count, &grid.records_[4 * i]);
-  grid.find_twins(walls, 1);
-  return grid;
+void CellGrid::find_forms(const Surfaces& walls) {
+  const double reach = 0x1p24 * unit_;
+  for (const std::uint32_t surface : walls.curve_numbers) {
+    const std::optional<Circle> circle =
+        walls.visit(surface, [](const auto& wall) { return circle_along(wall); });
+    const Vec2 centre = circle ? circle->centre : Vec2(0, 0);
+    const double radius = circle ? circle->radius : 0;
+    circles_.insert(circles_.end(), {centre.x(), centre.y(), radius, 0});
+    discs_.push_back(walls.visit(surface, [](const auto& wall) { return disc_about(wall); }));
+    magnitude_ =
+        std::max(magnitude_, discs_.back().centre.cwiseAbs().maxCoeff() + discs_.back().radius);
+    const Arc* arc = walls.arc_at(surface);
+    curves_.push_back(arc == nullptr ? doubtful_curve() : curve_form_in_lanes(placed(*arc), reach));
+    sure_curves_ += curves_.back().doubt == 0 ? 1 : 0;
+  }
 }
 
 std::size_t CellGrid::bytes() const {
   return 4 * (words_.size() + slots_.size() + records_.size() + next_copy_.size()) +
-         (twins_.size() + copies_.size()) / 8;
+         sizeof(lanes::Curve) * curves_.size() + 8 * circles_.size() +
+         sizeof(BoundingDisc) * discs_.size() + (twins_.size() + copies_.size()) / 8;
 }
 
 }  // namespace flatray

@@ -6,16 +6,18 @@
 
 #include "geom/bounds.h"
 #include "trace/cell_raster.h"
+#include "trace/curve_records.h"
 #include "trace/kernels/walk.h"
 #include "trace/surfaces.h"
 
 namespace flatray {
 
-/// The segments of a scene by the cells of a grid they come near to: what the kernels walk through
-/// (kernels/walk.h).
+/// The segments of a scene, or its curves, by the cells of a grid they come near to: what the kernels walk
+/// through (kernels/walk.h).
 ///
-/// Gives   lists that hold every segment within lanes::kMargin units of a cell; a segment in several
+/// Gives   lists that hold every wall within lanes::kMargin units of a cell; a wall in several
 ///         cells has a record in each. Of segments with the same two ends only the first is in them.
+///         The slot of a curve is its place in Surfaces::curve_numbers.
 /// Cost    O(n) to build; some 40 bytes a segment at one cell each, 64 at four.
 class CellGrid {
  public:
@@ -25,6 +27,8 @@ class CellGrid {
   static std::optional<CellGrid> build(const Surfaces& walls, unsigned threads = 1);
   /// The same with one list of all segments, by slot, in place of cells.
   static std::optional<CellGrid> build_list(const Surfaces& walls);
+  /// The same of the curves; one list of few.
+  static std::optional<CellGrid> build_of_curves(const Surfaces& walls, unsigned threads = 1);
 
   lanes::Grid view() const;
   /// A point in cells, the middle of the grid being 0.
@@ -36,23 +40,17 @@ class CellGrid {
   double unit() const { return unit_; }
 
   bool has_cells() const { return !words_.empty(); }
-  /// Signs of a direction: places are turned by them so that rays go up and to the right.
-  struct Turn {
-    bool x = false, y = false;
-    Vec2 operator()(const Vec2& place) const {
-      return {x ? -place.x() : place.x(), y ? -place.y() : place.y()};
-    }
-  };
-  /// A cell that is not divided further: its turned lower corner, its side, its word (walk.h).
-  struct Cell {
-    Vec2 corner;
-    double side;
-    std::uint32_t word;
-  };
-  /// The cell that a ray of direction `turn` enters at a turned place; `Needs` one in the grid or
-  /// its ring.
-  Cell cell_at(const Vec2& place, const Turn& turn) const;
-  /// Slot of the segment of a record.
+  bool of_curves() const { return of_curves_; }
+  /// Whether lanes can be certain of one of the walls.
+  bool is_for_lanes() const { return !of_curves_ || sure_curves_ > 0; }
+  /// The disc about a curve, and how large coordinates of such are.
+  const BoundingDisc& disc(std::size_t slot) const { return discs_[slot]; }
+  double disc_magnitude() const { return magnitude_; }
+  /// How many walls there are, and the wall of a slot.
+  std::size_t slots(const Surfaces& walls) const {
+    return of_curves_ ? walls.curve_numbers.size() : walls.segments.size();
+  }
+  /// Slot of the wall of a record.
   std::uint32_t slot(std::size_t record) const { return slots_[record]; }
   /// Whether it is the last of its cell.
   bool last(std::size_t record) const;
@@ -85,14 +83,32 @@ class CellGrid {
   bool operator==(const CellGrid&) const = default;
 
  private:
+  static std::optional<CellGrid> build(const Surfaces& walls, bool of_curves, bool in_cells,
+                                       unsigned threads);
   bool measure(const Surfaces& walls);
   void divide(const Surfaces& walls);
   void set_cells(std::int32_t columns, std::int32_t rows);
-  Segment ends(const Segment& segment) const;  // in cells
+  // Walls in cells.
+  Segment placed(const Segment& segment) const;
+  Arc placed(const Arc& wall) const;
+  Bezier placed(const Bezier& wall) const;
+  // Calls use(wall in cells), as the primitive that it is.
+  template <class Use>
+  decltype(auto) visit(const Surfaces& walls, std::size_t slot, const Use& use) const {
+    if (!of_curves_) return use(placed(walls.segments[slot]));
+    return walls.visit(walls.curve_numbers[slot],
+                       [&](const auto& wall) { return use(placed(wall)); });
+  }
   class Part;
   void fill(const Surfaces& walls, unsigned threads);
   void join(std::span<const Part> parts, std::span<const RowRange> rows, unsigned threads);
-  static void write_record(const Segment& ends, bool is_last, float* record);
+  void write_record(const Surfaces& walls, std::size_t slot, bool is_last, float* record) const;
+  void find_forms(const Surfaces& walls);
+  void fill_list(const Surfaces& walls);
+  Vec2 extent_of(const Surfaces& walls, std::size_t slot) const;
+  template <class Visit>
+  void visit_near(const Surfaces& walls, std::size_t slot, const Raster& raster,
+                  const RowRange& rows, const Frame& frame, const Visit& visit) const;
   void find_twins(const Surfaces& walls, unsigned threads);
   void find_copies(const Surfaces& walls, unsigned threads);
 
@@ -105,6 +121,12 @@ class CellGrid {
   std::vector<std::uint32_t> words_, slots_;
   std::vector<float> records_;
   std::size_t kept_ = 0;  // segments that are no copies
+  bool of_curves_ = false;
+  std::vector<lanes::Curve> curves_;  // by slot
+  std::size_t sure_curves_ = 0;       // those that have a form in the lanes
+  std::vector<BoundingDisc> discs_;   // as given
+  double magnitude_ = 0;              // of coordinates of the discs
+  std::vector<double> circles_;       // four by slot: centre, radius, which is 0 of what is none
   std::vector<bool> twins_, copies_;
   std::vector<std::uint32_t> next_copy_;
 };

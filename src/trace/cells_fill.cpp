@@ -1,5 +1,6 @@
 // Filling the cells of a grid: rows in strips, each on its own, whose lists are then put one after
 // the other.
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "base/parallel.h"
 #include "trace/cell_raster.h"
 #include "trace/cells.h"
+#include "trace/curve_records.h"
 
 namespace flatray {
 namespace {
@@ -100,7 +102,63 @@ class Strips {
       lists_;  // by chunk and strip; none for one strip
 };
 
+// Cells of a raster that a wall comes near to.
+template <class Visit>
+void visit_wall_cells(const Raster& raster, const RowRange& rows, const Frame& frame,
+                      const Segment& wall, const Visit& visit) {
+  visit_cells(raster, rows, frame.parts * (wall.a - frame.corner),
+              frame.parts * (wall.b - frame.corner), visit);
+}
+template <class Curve, class Visit>
+void visit_wall_cells(const Raster& raster, const RowRange& rows, const Frame& frame,
+                      const Curve& wall, const Visit& visit) {
+  const Bounds box = bounds_of(wall);
+  const Vec2 low = frame.parts * (box.low - frame.corner);
+  const Vec2 high = frame.parts * (box.high - frame.corner);
+  const RowRange near = rows_near(raster, low, high);
+  const std::int32_t left = std::max(cell_of(low.x() - raster.margin), 0);
+  const std::int32_t right = std::min(cell_of(high.x() + raster.margin), raster.columns - 1);
+  const std::int32_t bottom = std::max(near.first, rows.first);
+  const std::int32_t top = std::min(near.last, rows.last);
+  const auto passes = passes_of(wall, frame.corner);
+  const Vec2 margin = Vec2::Constant(raster.margin);
+  visit_rect(
+      {left, bottom, right - left + 1, top - bottom + 1},
+      [&](const Vec2& middle, const Vec2& half) {
+        return passes(middle / frame.parts, (half + margin) / frame.parts);
+      },
+      visit);
+}
+
+std::array<float, 4> record_of(const Segment& wall, std::size_t, bool is_last, double) {
+  return {static_cast<float>(wall.a.x()), static_cast<float>(wall.a.y()),
+          static_cast<float>(wall.b.x()), with_last_bit(wall.b.y(), is_last)};
+}
+bool is_whole_circle(const Arc& wall, const BoundingDisc& disc) {
+  return wall.extent == Arc::Extent::whole && wall.curve.is_circle() &&
+         disc.centre == wall.curve.centre && disc.radius == wall.curve.u.x();
+}
+bool is_whole_circle(const Bezier&, const BoundingDisc&) { return false; }
+// The smaller of two discs about a curve whose centre is within `reach`.
+template <class Curve>
+std::array<float, 4> record_of(const Curve& wall, std::size_t slot, bool is_last, double reach) {
+  BoundingDisc disc = disc_about(wall);
+  const Bounds box = bounds_of(wall);
+  const BoundingDisc of_box{box.centre(), (0.5 * box.size()).norm()};
+  if (disc.centre.cwiseAbs().maxCoeff() > reach || of_box.radius < disc.radius) disc = of_box;
+  const auto word = static_cast<std::uint32_t>(4 * slot + (is_whole_circle(wall, disc) ? 2 : 0) +
+                                               (is_last ? 1 : 0));
+  return {static_cast<float>(disc.centre.x()), static_cast<float>(disc.centre.y()),
+          static_cast<float>(disc.radius * (1 + 0x1p-22)), std::bit_cast<float>(word)};
+}
+
 }  // namespace
+
+template <class Visit>
+void CellGrid::visit_near(const Surfaces& walls, std::size_t slot, const Raster& raster,
+                          const RowRange& rows, const Frame& frame, const Visit& each) const {
+  visit(walls, slot, [&](const auto& wall) { visit_wall_cells(raster, rows, frame, wall, each); });
+}
 
 // The cells of a strip of rows. Its words count records, and words of divided cells, from its own
 // first.
@@ -118,21 +176,20 @@ class CellGrid::Part {
     lists.fill(cells, [&](const auto& visit) {
       each_slot([&](std::uint32_t slot) {
         if (grid_.is_copy(slot)) return;
-        const auto [a, b] = grid_.ends(walls_.segments[slot]);
-        visit_cells(raster, rows, a + corner, b + corner,
-                    [&](std::int32_t column, std::int32_t row) {
-                      visit(static_cast<std::size_t>(row - rows.first) * columns +
-                                static_cast<std::size_t>(column),
-                            slot);
-                    });
+        grid_.visit_near(walls_, slot, raster, rows, {-corner, 1},
+                         [&](std::int32_t column, std::int32_t row) {
+                           visit(static_cast<std::size_t>(row - rows.first) * columns +
+                                     static_cast<std::size_t>(column),
+                                 slot);
+                         });
       });
     });
     slots.reserve(lists.slots.size());
     records.reserve(4 * lists.slots.size());
     words.reserve(cells);
     for (std::size_t cell = 0; cell < cells; ++cell) {
-      const Vec2 at(static_cast<double>(cell % columns),
-                    rows.first + static_cast<double>(cell / columns));
+      const std::size_t column = cell % columns, row = cell / columns;
+      const Vec2 at(static_cast<double>(column), rows.first + static_cast<double>(row));
       words.push_back(write_cell(lists.of(cell), at - corner));
     }
   }
@@ -162,8 +219,7 @@ class CellGrid::Part {
     slots.insert(slots.end(), list.begin(), list.end());
     records.resize(4 * slots.size());
     for (std::size_t i = 0; i < list.size(); ++i)
-      write_record(grid_.ends(walls_.segments[list[i]]), i + 1 == list.size(),
-                   &records[4 * (first + i)]);
+      grid_.write_record(walls_, list[i], i + 1 == list.size(), &records[4 * (first + i)]);
     return static_cast<std::uint32_t>(first);
   }
 
@@ -175,8 +231,8 @@ class CellGrid::Part {
     const auto count = static_cast<double>(list.size());
     double length = 0;
     for (const std::uint32_t slot : list) {
-      const auto [a, b] = grid_.ends(walls_.segments[slot]);
-      length += std::min((b - a).cwiseAbs().sum(), 1.5);
+      const Vec2 extent = grid_.extent_of(walls_, slot).cwiseProduct(grid_.scale_);
+      length += std::min(extent.sum(), 1.5);
     }
     int n = 1;
     while (n < kMostParts && n * n < count && n * length < 2 * count &&
@@ -192,13 +248,12 @@ class CellGrid::Part {
     const Raster raster{n, n, lanes::kMargin * grid_.unit_ * n};
     Lists lists;
     lists.fill(cells, [&](const auto& visit) {
-      for (const std::uint32_t slot : list) {
-        const auto [a, b] = grid_.ends(walls_.segments[slot]);
-        visit_cells(raster, {0, n - 1}, n * (a - corner), n * (b - corner),
-                    [&](std::int32_t column, std::int32_t row) {
-                      visit(static_cast<std::size_t>(row * n + column), slot);
-                    });
-      }
+      for (const std::uint32_t slot : list)
+        grid_.visit_near(walls_, slot, raster, {0, n - 1}, {corner, static_cast<double>(n)},
+                         [&](std::int32_t column, std::int32_t row) {
+                           const std::int32_t cell = row * n + column;
+                           visit(static_cast<std::size_t>(cell), slot);
+                         });
     });
     for (std::size_t cell = 0; cell < cells; ++cell)
       divided_words[base + cell] = write_list(lists.of(cell));
@@ -214,10 +269,12 @@ class CellGrid::Part {
 void CellGrid::fill(const Surfaces& walls, unsigned threads) {
   const Raster raster{columns_, rows_, lanes::kMargin * unit_};
   const Vec2 corner(0.5 * columns_, 0.5 * rows_);
-  Strips strips(raster, walls.segments.size());
+  Strips strips(raster, slots(walls));
   strips.sort(threads, [&](std::size_t slot) {
-    const auto [a, b] = ends(walls.segments[slot]);
-    return rows_near(raster, a + corner, b + corner);
+    return visit(walls, slot, [&](const auto& wall) {
+      const Bounds box = bounds_of(wall);
+      return rows_near(raster, box.low + corner, box.high + corner);
+    });
   });
   std::vector<Part> made(strips.size(), Part(*this, walls));
   parallel_for(strips.size(), threads, [&](std::size_t i) {
@@ -259,10 +316,20 @@ void CellGrid::join(std::span<const Part> parts, std::span<const RowRange> rows,
   });
 }
 
-void CellGrid::write_record(const Segment& e, bool is_last, float* record) {
-  const float row[] = {static_cast<float>(e.a.x()), static_cast<float>(e.a.y()),
-                       static_cast<float>(e.b.x()), with_last_bit(e.b.y(), is_last)};
-  std::copy_n(row, 4, record);
+void CellGrid::fill_list(const Surfaces& walls) {
+  for (std::uint32_t slot = 0; slot < slots(walls); ++slot)
+    if (!is_copy(slot)) slots_.push_back(slot);
+  records_.resize(4 * (slots_.size() + kBeyond));
+  for (std::size_t i = 0; i < slots_.size(); ++i)
+    write_record(walls, slots_[i], i + 1 == slots_.size(), &records_[4 * i]);
+}
+
+void CellGrid::write_record(const Surfaces& walls, std::size_t slot, bool is_last,
+                            float* record) const {
+  visit(walls, slot, [&](const auto& wall) {
+    const std::array<float, 4> row = record_of(wall, slot, is_last, 0x1p24 * unit_);
+    std::copy_n(row.data(), 4, record);
+  });
 }
 
 }  // namespace flatray

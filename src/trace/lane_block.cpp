@@ -1,5 +1,6 @@
 #include "trace/lane_block.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <numeric>
@@ -34,19 +35,19 @@ lanes::Walking columns_of(float* column, const float* numbers, std::size_t room)
 
 }  // namespace
 
-LaneBlock::LaneBlock(const Surfaces& walls, const CellGrid& cells, const lanes::Grid& grid,
-                     const lanes::WalkKernels& kernels, std::size_t most)
+LaneBlock::LaneBlock(const Surfaces& walls, const lanes::WalkKernels& kernels, std::size_t most)
     : walls_(walls),
-      cells_(cells),
-      grid_(grid),
       kernels_(kernels),
       room_(RayBlock::whole_vectors(most) + kVector),
       numbers_(room_),
       columns_(kColumns * room_),
       departed_(room_),
+      roots_(room_),
       fate_(room_),
       found_(room_),
-      open_(room_) {
+      open_(room_),
+      ends_(room_),
+      times_(room_) {
   std::iota(numbers_.begin(), numbers_.end(), 0.0F);
 }
 
@@ -57,32 +58,47 @@ void LaneBlock::load(const RayBatch& rays, std::size_t begin, std::size_t count)
   given_ = whole_.take(rays, begin, count);
 }
 
-std::span<const int> LaneBlock::walk(std::span<const double> up_to) {
+std::span<const int> LaneBlock::walk(const LaneCells& cells, Asked asked) {
+  const lanes::Grid& grid = cells.grid;
   lanes::Walking w = columns_of(columns_.data(), numbers_.data(), room_);
   w.count = static_cast<int>(count_);
-  if (!up_to.empty()) {
-    ends_.assign(room_, 0);
-    std::copy_n(up_to.begin() + static_cast<std::ptrdiff_t>(begin_), count_, ends_.begin());
-    w.up_to = ends_.data();
-  }
+  if (asked != Asked::first) w.up_to = ends_.data();
+  w.is_first = asked == Asked::first_before_end;
+  // finish() reads whole vectors, and what was found last may be no slot of these cells.
+  std::fill(found_.begin() + static_cast<std::ptrdiff_t>(count_), found_.end(), lanes::kNoRecord);
   bool some_unable = false;
   if (some_have_left()) {
-    some_unable = find_left();
+    some_unable = find_left(cells.cells);
     w.departed = departed_.data();
+    w.roots = roots_.data();
   }
-  some_unable = kernels_.prepare(grid_, given_, w, fate_.data()) || some_unable;
-  (grid_.cells != nullptr ? kernels_.walk : kernels_.scan)(grid_, w, found_.data());
+  some_unable = kernels_.prepare(grid, given_, w, fate_.data()) || some_unable;
+  (grid.cells != nullptr ? kernels_.walk : kernels_.scan)(grid, w, found_.data());
   for (std::size_t i = 0; some_unable && i < room_; ++i)
     if (std::exchange(fate_[i], 0) != 0) found_[i] = lanes::kDoubt;
   return {found_.data(), count_};
 }
 
-std::span<const int> LaneBlock::finish(NearestHit* hits) {
+std::span<const int> LaneBlock::finish(const LaneCells& cells, NearestHit* hits) {
   const int open =
-      kernels_.finish(grid_, given_,
+      kernels_.finish(cells.grid, given_,
                       {found_.data(), static_cast<int>(count_), hits, word_of(0, HitClass::touch),
                        word_of(kNoSurface, HitClass::miss), open_.data()});
   return {open_.data(), static_cast<std::size_t>(open)};
+}
+
+void LaneBlock::finish_curves(const LaneCells& cells, NearestHit* hits) {
+  int count = 0;
+  for (std::size_t i = 0; i < count_; ++i)
+    if (found_[i] >= 0) open_[static_cast<std::size_t>(count++)] = static_cast<int>(i);
+  kernels_.finish_curves(cells.grid, given_, {open_.data(), found_.data(), count, times_.data()});
+  for (int k = 0; k < count; ++k) {
+    const auto ray = static_cast<std::size_t>(open_[static_cast<std::size_t>(k)]);
+    const auto slot = static_cast<std::size_t>(found_[ray] & ~lanes::kSecond);
+    const Root root = (found_[ray] & lanes::kSecond) != 0 ? Root::second : Root::first;
+    hits[ray] = {walls_.curve_numbers[slot], HitClass::through, root, false,
+                 times_[static_cast<std::size_t>(k)]};
+  }
 }
 
 bool LaneBlock::some_have_left() const {
@@ -92,14 +108,29 @@ bool LaneBlock::some_have_left() const {
   return none != kNoSurface;
 }
 
-// The segments that rays have left; whether the lanes cannot tell one of them from others.
-bool LaneBlock::find_left() {
+unsigned LaneBlock::curve_slot(const Surfaces& walls, const DepartedSurface& departed) {
+  if (departed.surface == kNoSurface) return lanes::kNone;
+  const auto& curves = walls.curve_numbers;
+  const auto at = std::lower_bound(curves.begin(), curves.end(), departed.surface);
+  const bool is_curve = at != curves.end() && *at == departed.surface;
+  return is_curve ? static_cast<unsigned>(at - curves.begin()) : lanes::kNone;
+}
+unsigned LaneBlock::roots_of(const DepartedSurface& departed) {
+  return (departed.root == Root::first || departed.root == Root::both ? 1U : 0U) |
+         (departed.root == Root::second || departed.root == Root::both ? 2U : 0U);
+}
+
+// The walls that rays have left; whether the lanes cannot tell one of them from others.
+bool LaneBlock::find_left(const CellGrid& cells) {
   static_assert(kNoSurface == lanes::kNone);
   bool some_unable = false;
   std::fill(departed_.begin() + static_cast<std::ptrdiff_t>(count_), departed_.end(), lanes::kNone);
   for (std::size_t i = 0; i < count_; ++i) {
-    departed_[i] = walls_.segment_slot(rays_->departed[begin_ + i].surface);
-    if (departed_[i] == lanes::kNone || !cells_.is_ambiguous(departed_[i])) continue;
+    const DepartedSurface& departed = rays_->departed[begin_ + i];
+    departed_[i] =
+        cells.of_curves() ? curve_slot(walls_, departed) : walls_.segment_slot(departed.surface);
+    roots_[i] = roots_of(departed);
+    if (departed_[i] == lanes::kNone || !cells.is_ambiguous(departed_[i])) continue;
     fate_[i] = lanes::kDoubt;
     some_unable = true;
   }

@@ -1,10 +1,12 @@
 #include "trace/lane_tracer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "geom/error_bounds.h"
+#include "base/counted.h"
 #include "trace/cell_search.h"
+#include "trace/exact_nearest.h"
 #include "trace/kernels/tiers.h"
 #include "trace/lane_block.h"
 #include "trace/many_rays.h"
@@ -22,66 +24,73 @@ class LaneTracer : public Accelerator {
   LaneTracer(const Surfaces& walls, std::optional<CellGrid> cells, Isa isa)
       : Accelerator(walls),
         cells_(std::move(cells)),
+        curve_cells_(CellGrid::build_of_curves(walls)),
         view_(cells_ ? view_of(walls, *cells_) : lanes::Grid{}),
-        curves_(WallCells::of_curves(walls)),
-        search_(walls, cells_ ? &*cells_ : nullptr, curves_),
-        kernels_(lane_kernels(isa).walk) {}
+        curve_view_(curve_cells_ ? curve_cells_->view() : lanes::Grid{}),
+        kernels_(lane_kernels(isa).walk),
+        search_(walls, cells_ ? &*cells_ : nullptr, curve_cells_ ? &*curve_cells_ : nullptr,
+                kernels_) {}
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     if (are_few(rays)) return Accelerator::nearest(rays, hits);
+    std::vector<int> open;
     in_blocks(rays, [&](LaneBlock& block, std::size_t begin, std::size_t count) {
-      block.walk();
-      const std::span<const int> open = block.finish(&hits[begin]);
-      if (walls_.curve_numbers.empty()) {
-        for (const int i : open) find_single(rays, begin + static_cast<std::size_t>(i), hits);
-        return;
+      const std::span<NearestHit> some = hits.subspan(begin, count);
+      for (const int i : find_in_lanes(block, some, open)) {
+        const std::size_t ray = begin + static_cast<std::size_t>(i);
+        const bool knows_segment = curve_cells_ && block.ends()[static_cast<std::size_t>(i)] >= 0;
+        hits[ray] = knows_segment
+                        ? search_.nearest_beside(hits[ray], rays.ray(ray), rays.departed[ray],
+                                                 rays.tangents)
+                        : search_.nearest(rays.ray(ray), rays.departed[ray], rays.tangents);
       }
-      for (const int i : open) hits[begin + static_cast<std::size_t>(i)].kind = HitClass::along;
-      for (std::size_t i = begin; i < begin + count; ++i)
-        if (hits[i].kind == HitClass::along)
-          find_single(rays, i, hits);
-        else
-          hits[i] = with_curves(hits[i], rays.ray(i), rays.departed[i], rays.tangents);
+      for (std::size_t i = 0; curve_cells_ && i < count; ++i)
+        if (std::isnan(some[i].t))
+          some[i] = crossing_hit(walls_, rays.ray(begin + i), some[i].surface, some[i].root);
     });
   }
   // No ray goes on beyond its end, nor asks which wall of those it meets is the first.
   void any(const RayBatch& rays, std::span<const double> up_to,
            std::span<std::uint8_t> met) const override {
     if (are_few(rays)) return Accelerator::any(rays, up_to, met);
-    in_blocks(rays, [&](LaneBlock& block, std::size_t begin, std::size_t) {
-      std::size_t i = begin;
-      for (const int found : block.walk(up_to)) {
-        const bool open =
-            found == lanes::kDoubt || (found < 0 && may_meet_curve(rays, i, up_to[i]));
-        met[i] =
-            open ? any_of_one(rays.ray(i), up_to[i], rays.departed[i], rays.tangents) : found >= 0;
-        ++i;
-      }
+    std::vector<int> found;
+    in_blocks(rays, [&](LaneBlock& block, std::size_t begin, std::size_t count) {
+      found.assign(count, lanes::kNoRecord);
+      std::copy_n(&up_to[begin], count, block.ends().begin());
+      const auto take = [&](const LaneCells& cells) {
+        const auto of_these = block.walk(cells, LaneBlock::Asked::any_before_end);
+        for (std::size_t i = 0; i < count; ++i) {
+          if (of_these[i] != lanes::kNoRecord && found[i] < 0) found[i] = of_these[i];
+          if (found[i] >= 0) block.ends()[i] = kNowhere;
+        }
+      };
+      if (cells_) take({*cells_, view_});
+      if (curve_cells_) take({*curve_cells_, curve_view_});
+      for (std::size_t i = 0; i < count; ++i)
+        met[begin + i] = found[i] == lanes::kDoubt
+                             ? any_of_one(rays.ray(begin + i), up_to[begin + i],
+                                          rays.departed[begin + i], rays.tangents)
+                             : found[i] >= 0;
     });
   }
   std::size_t left_by_lanes(const RayBatch& rays) const override {
-    if (!cells_ || !walls_.curve_numbers.empty()) return rays.size();
+    if (!has_lanes()) return rays.size();
     std::size_t left = 0;
+    std::vector<int> open;
     std::vector<NearestHit> hits(std::min(kBlockOfCells, rays.size()));
-    in_blocks(rays, [&](LaneBlock& block, std::size_t, std::size_t) {
-      block.walk();
-      left += block.finish(hits.data()).size();
+    in_blocks(rays, [&](LaneBlock& block, std::size_t, std::size_t count) {
+      left += find_in_lanes(block, {hits.data(), count}, open).size();
+      for (std::size_t i = 0; curve_cells_ && i < count; ++i) left += std::isnan(hits[i].t) ? 1 : 0;
     });
     return left;
   }
   NearestHit nearest_of_one(const Ray& ray, const DepartedSurface& departed,
                             bool tangents) const override {
-    const std::uint32_t slot = walls_.segment_slot(departed.surface);
-    if (!cells_ || (slot != kNoSurface && cells_->next_copy(slot) != CellGrid::kNoSlot))
-      return search_.nearest(ray, departed, tangents);
-    const lanes::SingleHit found = kernels_.single_ray(view_, ray.origin.x(), ray.origin.y(),
-                                                       ray.direction.x(), ray.direction.y(), slot);
-    if (found.found == lanes::kDoubt || std::isnan(found.t))
-      return search_.nearest(ray, departed, tangents);
-    const NearestHit hit =
-        found.found < 0 ? NearestHit{}
-                        : NearestHit{found.slot, HitClass::touch, Root::none, false, found.t};
-    return walls_.curve_numbers.empty() ? hit : with_curves(hit, ray, departed, tangents);
+    if (curve_cells_ || !cells_) return nearest_with_curves(ray, departed, tangents);
+    const lanes::SingleHit found = segment_of_one(ray, walls_.segment_slot(departed.surface));
+    if (is_open(found)) return search_.nearest(ray, departed, tangents);
+    if (found.found < 0) return {};
+    return {found.slot, HitClass::touch, Root::none, false, found.t};  // all walls are segments
   }
   std::vector<NearestHit> all_of_one(const Ray& ray, const DepartedSurface& departed,
                                      bool tangents) const override {
@@ -90,42 +99,77 @@ class LaneTracer : public Accelerator {
   std::size_t tested_of_one(const Ray& ray, const DepartedSurface& departed) const override {
     return search_.tested(ray, departed);
   }
-  std::size_t bytes() const override { return (cells_ ? cells_->bytes() : 0) + curves_.bytes(); }
+  std::size_t bytes() const override {
+    return (cells_ ? cells_->bytes() : 0) + (curve_cells_ ? curve_cells_->bytes() : 0);
+  }
   std::string structure() const override {
-    std::string curves = curves_.structure();
-    if (walls_.segments.empty() && !curves.empty()) return curves;
-    return curves.empty() ? segments_in() : segments_in() + ", " + curves;
+    const std::size_t curves = walls_.curve_numbers.size();
+    if (curves == 0) return structure_of(cells_);
+    const std::string of_curves = counted(curves, "curve") + " in " + structure_of(curve_cells_);
+    return walls_.segments.empty() ? of_curves : structure_of(cells_) + ", " + of_curves;
   }
-  std::size_t cells() const override {
-    const auto side = [](std::int32_t count) { return static_cast<std::size_t>(count); };
-    return (has_cells() ? side(cells_->columns()) * side(cells_->rows()) : 0) + curves_.cells();
-  }
+  std::size_t cells() const override { return cells_of(cells_) + cells_of(curve_cells_); }
 
  private:
-  bool has_cells() const { return cells_ && cells_->has_cells(); }
-  std::string segments_in() const {
-    if (!has_cells()) return "one list";
-    const std::string cells =
-        std::to_string(cells_->columns()) + " x " + std::to_string(cells_->rows()) + " cells";
-    return cells_->divided() == 0
-               ? cells
-               : cells + ", " + std::to_string(cells_->divided()) + " of them crowded and divided";
+  // A segment that is the first of a ray, unless it has left one that has a copy.
+  lanes::SingleHit segment_of_one(const Ray& ray, std::uint32_t left) const {
+    if (left != kNoSurface && cells_->next_copy(left) != CellGrid::kNoSlot)
+      return {lanes::kDoubt, 0, 0};
+    return kernels_.single_ray(view_, ray.origin.x(), ray.origin.y(), ray.direction.x(),
+                               ray.direction.y(), left);
   }
-  bool are_few(const RayBatch& rays) const {
-    return !cells_ || rays.size() <= (has_cells() ? kFewRays : kFewRaysOfList);
+  static bool is_open(const lanes::SingleHit& found) {
+    return found.found == lanes::kDoubt || std::isnan(found.t);
   }
-  bool may_meet_curve(const RayBatch& rays, std::size_t i, double up_to) const {
-    if (up_to < 0) return false;
-    const Ray ray = rays.ray(i);
-    Candidates found(walls_, ray, rays.departed[i], up_to * (1 + 0x1p-50) + kUnderflowError);
-    curves_.offer_to(found, ray);
-    return !found.empty();
+  NearestHit nearest_with_curves(const Ray& ray, const DepartedSurface& departed,
+                                 bool tangents) const {
+    if (!has_lanes()) return search_.nearest(ray, departed, tangents);
+    NearestHit hit;
+    if (cells_) {
+      const lanes::SingleHit found = segment_of_one(ray, walls_.segment_slot(departed.surface));
+      if (is_open(found)) return search_.nearest(ray, departed, tangents);
+      if (found.found >= 0)
+        hit = {walls_.segment_numbers[found.slot], HitClass::touch, Root::none, false, found.t};
+    }
+    if (!curve_cells_->is_for_lanes()) return search_.nearest_beside(hit, ray, departed, tangents);
+    const lanes::SingleHit found = kernels_.single_curve(
+        curve_view_, ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(),
+        LaneBlock::curve_slot(walls_, departed), LaneBlock::roots_of(departed), hit.t);
+    if (found.found == lanes::kDoubt) return search_.nearest_beside(hit, ray, departed, tangents);
+    if (found.found < 0) return hit;
+    const std::uint32_t surface = walls_.curve_numbers[found.slot];
+    const Root root = (found.found & lanes::kSecond) != 0 ? Root::second : Root::first;
+    if (std::isnan(found.t)) return crossing_hit(walls_, ray, surface, root);
+    return {surface, HitClass::through, root, false, found.t};
   }
 
+  static bool has_cells(const std::optional<CellGrid>& grid) { return grid && grid->has_cells(); }
+  static std::size_t cells_of(const std::optional<CellGrid>& grid) {
+    if (!has_cells(grid)) return 0;
+    return static_cast<std::size_t>(grid->columns()) * static_cast<std::size_t>(grid->rows());
+  }
+  static std::string structure_of(const std::optional<CellGrid>& grid) {
+    if (!has_cells(grid)) return "one list";
+    const std::string cells =
+        std::to_string(grid->columns()) + " x " + std::to_string(grid->rows()) + " cells";
+    return grid->divided() == 0
+               ? cells
+               : cells + ", " + std::to_string(grid->divided()) + " of them crowded and divided";
+  }
+  bool has_lanes() const {
+    return (cells_ || walls_.segments.empty()) && (curve_cells_ || walls_.curve_numbers.empty()) &&
+           walls_.size() > 0;
+  }
+  bool walks() const { return has_cells(cells_) || has_cells(curve_cells_); }
+  bool are_few(const RayBatch& rays) const {
+    return !has_lanes() || rays.size() <= (walks() ? kFewRays : kFewRaysOfList);
+  }
+
+  static constexpr double kNowhere = -1;  // where rays end that go on no more
   template <class Each>
   void in_blocks(const RayBatch& rays, const Each& each) const {
-    const std::size_t most = std::min(has_cells() ? kBlockOfCells : kBlockOfList, rays.size());
-    LaneBlock block(walls_, *cells_, view_, kernels_, most);
+    const std::size_t most = std::min(walks() ? kBlockOfCells : kBlockOfList, rays.size());
+    LaneBlock block(walls_, kernels_, most);
     for (std::size_t begin = 0; begin < rays.size(); begin += most) {
       const std::size_t count = std::min(most, rays.size() - begin);
       block.load(rays, begin, count);
@@ -133,17 +177,41 @@ class LaneTracer : public Accelerator {
     }
   }
 
-  void find_single(const RayBatch& rays, std::size_t i, std::span<NearestHit> hits) const {
-    hits[i] = search_.nearest(rays.ray(i), rays.departed[i], rays.tangents);
+  // The hits of a block, t of curves NaN where it is not certain; gives the rays that have none yet, which
+  // `open` may hold.
+  std::span<const int> find_in_lanes(LaneBlock& block, std::span<NearestHit> hits,
+                                     std::vector<int>& open) const {
+    std::span<const int> left;
+    if (cells_) {
+      block.walk({*cells_, view_}, LaneBlock::Asked::first);
+      left = block.finish({*cells_, view_}, hits.data());
+    } else {
+      std::fill(hits.begin(), hits.end(), NearestHit{});
+    }
+    if (!curve_cells_) return left;
+    add_curves(block, left, hits, open);
+    return open;
   }
-
-  // Of what is sure of the segments, by slot, and the curves.
-  NearestHit with_curves(const NearestHit& segment, const Ray& ray, const DepartedSurface& departed,
-                         bool tangents) const {
-    Candidates found(walls_, ray, departed);
-    if (segment) found.take_segment(segment.surface, segment.t);
-    curves_.offer_to(found, ray);
-    return found.first(tangents);
+  // Curves that are met before the segments; gives the rays that have no answer yet, those before among them, where
+  // `ends` is kNowhere: of others the first segment is known.
+  void add_curves(LaneBlock& block, std::span<const int> left, std::span<NearestHit> hits,
+                  std::vector<int>& open) const {
+    const LaneCells curves{*curve_cells_, curve_view_};
+    const std::span<double> ends = block.ends();
+    for (std::size_t i = 0; i < hits.size(); ++i) ends[i] = hits[i].t;
+    for (const int i : left) ends[static_cast<std::size_t>(i)] = kNowhere;
+    const bool is_sure = curve_cells_->is_for_lanes();
+    std::span<const int> found;
+    if (is_sure) found = block.walk(curves, LaneBlock::Asked::first_before_end);
+    open.clear();
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      if (ends[i] < 0)
+        hits[i] = NearestHit{};
+      else if (hits[i])
+        hits[i].surface = walls_.segment_numbers[hits[i].surface];
+      if (ends[i] < 0 || !is_sure || found[i] == lanes::kDoubt) open.push_back(static_cast<int>(i));
+    }
+    if (is_sure) block.finish_curves(curves, hits.data());
   }
 
   static lanes::Grid view_of(const Surfaces& walls, const CellGrid& cells) {
@@ -152,11 +220,10 @@ class LaneTracer : public Accelerator {
     return view;
   }
 
-  const std::optional<CellGrid> cells_;
-  const lanes::Grid view_;
-  const WallCells curves_;
-  const CellSearch search_;
+  const std::optional<CellGrid> cells_, curve_cells_;
+  const lanes::Grid view_, curve_view_;
   const lanes::WalkKernels& kernels_;
+  const CellSearch search_;
 };
 
 }  // namespace

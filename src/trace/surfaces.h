@@ -46,6 +46,11 @@ struct Surfaces {
   std::uint32_t segment_slot(std::uint32_t surface) const {
     return surface != kNoSurface && slots_[surface] < kCurved ? slots_[surface] : kNoSurface;
   }
+  /// A wall that is an arc; else nullptr.
+  const Arc* arc_at(std::uint32_t surface) const {
+    const std::uint32_t slot = slots_[surface];
+    return slot >= kCurved && slot < kBezier ? &arcs[slot - kCurved] : nullptr;
+  }
   /// A wall known to be a segment.
   const Segment& segment(std::uint32_t surface) const { return segments[slots_[surface]]; }
   /// A wall known to be an arc.

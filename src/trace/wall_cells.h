@@ -5,45 +5,35 @@
 #include <vector>
 
 #include "geom/bounds.h"
-#include "trace/candidates.h"
-#include "trace/rays.h"
+#include "trace/cell_raster.h"
 #include "trace/surfaces.h"
 
 namespace flatray {
 
-/// Walls of any kind by the cells of a grid that they pass, to ask which come near a point; or, of curves, walked by
-/// one ray at a time in double precision.
+/// Walls of any kind by the cells of a grid that they pass, to ask which come near a point.
 ///
-/// Gives   lists that hold every wall within 2^-10 of a cell's side of it; some 2 cells a wall, 1 a curve.
+/// Gives   lists that hold every wall within 2^-10 of a cell's side of it; some 2 cells a wall.
 ///         Few walls, and those whose coordinates leave no room for sound arithmetic, are in no
 ///         cells: all of them are looked at.
-/// Cost    to build O(n): walls pass some dozen cells on average, of a wider grid where they overlap. A ray: 20 ns
-///         a cell with the curves in it, and what the filter takes of those whose discs it meets.
+/// Cost    to build O(n): walls pass some dozen cells on average, of a wider grid where they overlap.
 class WallCells {
  public:
-  /// All walls. Needs   `walls` to outlive it, and to stay as they are.
-  explicit WallCells(const Surfaces& walls) : WallCells(walls, false) {}
-  /// The curved walls alone.
-  static WallCells of_curves(const Surfaces& walls) { return {walls, true}; }
+  /// Needs   `walls` to outlive it, and to stay as they are.
+  explicit WallCells(const Surfaces& walls);
 
-  /// Offers all curves that may be the first wall of the ray they are candidates of.
-  /// Needs   cells of curves, as near() of a ray.
-  void offer_to(Candidates& found, const Ray& ray) const;
-  /// All curves that a ray may meet, ascending.
-  std::vector<std::uint32_t> near(const Ray& ray) const;
   /// Those walls for which `keep` holds, ascending, among walls of which every one is that comes within 4 ulps
   /// of a point.
   template <class Keep>
   std::vector<std::uint32_t> near(const Vec2& point, const Keep& keep) const {
     std::vector<std::uint32_t> found;
     const auto offer = [&](std::uint32_t wall) {
-      if (keep(surface(wall))) found.push_back(surface(wall));
+      if (keep(wall)) found.push_back(wall);
     };
     if (begin_.empty()) {
       visit_all(offer);
       return found;
     }
-    const Rect near = cells_of({point, point});
+    const CellRect near = cells_of({point, point});
     for (int y = near.bottom; y < near.bottom + near.height; ++y)
       for (int x = near.left; x < near.left + near.width; ++x) {
         const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
@@ -56,37 +46,21 @@ class WallCells {
     }
     return found;
   }
-  /// As Accelerator::structure() and cells(); no words of no curves.
+  /// As Accelerator::structure() and cells().
   std::string structure() const;
   std::size_t cells() const { return begin_.empty() ? 0 : begin_.size() - 1; }
   /// Walls in all cells together.
   std::size_t entries() const { return listed_.size(); }
-  std::size_t bytes() const {
-    return 4 * (begin_.size() + listed_.size()) + sizeof(Disc) * discs_.size();
-  }
+  std::size_t bytes() const { return 4 * (begin_.size() + listed_.size()); }
 
  private:
-  struct Rect {
-    int left, bottom, width, height;  // in cells
-  };
-  // That holds a curve.
-  struct Disc {
-    Vec2 centre;
-    double radius;
-  };
-  struct Axis;
-  class DiscFilter;
-  static Disc disc_about(const Arc& wall);
-  template <class Wall>
-  static Disc disc_about(const Wall& wall);
-  WallCells(const Surfaces& walls, bool of_curves);
   template <class Visit>
   void visit_all(const Visit& visit) const {
     for (std::uint32_t i = 0; i < count_; ++i) visit(i);
   }
   void divide();
   // Those that a box comes near to: 4 ulps of a place in it and its own rounding are under 2^-9 each.
-  Rect cells_of(const Bounds& box) const {
+  CellRect cells_of(const Bounds& box) const {
     constexpr double kAround = 0x1p-7;
     const auto cell = [](double place, int count) {
       return static_cast<int>(std::clamp(place, 0.0, count - 1.0));
@@ -96,28 +70,13 @@ class WallCells {
     return {left, bottom, cell(high.x() + kAround, columns_) - left + 1,
             cell(high.y() + kAround, rows_) - bottom + 1};
   }
-  // Offers the curves of every cell a ray comes through whose discs it meets, some twice, until these are settled.
-  template <class Offers>
-  void walk(const Ray& ray, Offers& offers) const;
-  std::uint32_t surface(std::uint32_t wall) const {
-    return of_curves_ ? walls_.curve_numbers[wall] : wall;
-  }
-  template <class Wall, class Visit>
-  void visit_cells(const Wall& wall, const Rect& rect, const Visit& visit) const;
-  bool may_pass(const Arc& arc, const Vec2& middle, const Vec2& half) const;
-  template <class Wall>
-  bool may_pass(const Wall& wall, const Vec2& middle, const Vec2& half) const;
 
   const Surfaces& walls_;
-  const bool of_curves_;
   const std::size_t count_;  // of walls
-  std::vector<std::uint32_t> begin_,
-      listed_;               // numbers of walls, which surface() turns into surfaces
-  std::vector<Disc> discs_;  // of curves
+  std::vector<std::uint32_t> begin_, listed_;
   int columns_ = 0, rows_ = 0;
   Vec2 low_{0, 0};
-  double side_ = 1;       // of a cell
-  double magnitude_ = 0;  // of coordinates of the discs
+  double side_ = 1;  // of a cell
 };
 
 }  // namespace flatray

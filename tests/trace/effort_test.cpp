@@ -42,6 +42,25 @@ TEST(Effort, LanesLeaveNoMoreThanOneRayInAHundredAmongWallsInGeneralPosition) {
     EXPECT_LE(find_tracer(name)->build(walls)->left_by_lanes(rays_within(1)), 40U) << name;
 }
 
+// Circles and parts of them, few in one list and many in cells.
+TEST(Effort, LanesLeaveNoMoreThanOneRayInAHundredAmongCurvesInGeneralPosition) {
+  for (const int count : {10, 300}) {
+    Draws draws(3);
+    Surfaces walls;
+    for (int i = 0; i < count; ++i) {
+      const Vec2 at = draws.point(), u = 0.03 * (draws.point() + Vec2(0.1, 0.1));
+      const Circle circle{at, u.norm()};
+      if (i % 2 == 0)
+        walls.add(circle);
+      else
+        walls.add(Arc{circle, Arc::Extent::between, at + u, at + Vec2(-u.y(), u.x())});
+    }
+    const auto ready = find_tracer("grid")->build(walls);
+    EXPECT_LE(ready->left_by_lanes(rays_within(1)), 40U) << count;
+    EXPECT_EQ(ready->cells() > 0, count > 32);
+  }
+}
+
 TEST(Effort, CountsTheWallThatIsMet) {
   const Surfaces walls = short_walls(200, 1);
   const RayBatch rays = rays_within(1);

@@ -122,12 +122,12 @@ Curves curves_of_all_kinds(Draws& draw, int count, const Vec2& offset) {
 }
 
 // Towards a point of each, from near and far, and along its tangent there, where no more than the curve is met.
-TEST(WallCells, OfferEveryCurveThatARayMeets) {
+TEST(CellsOfCurves, HoldEveryCurveThatARayMeets) {
   for (const int count : {6, 30, 300})
     for (const double offset : {0.0, 1e6}) {
       Draws draw(3);
       const Curves curves = curves_of_all_kinds(draw, count, Vec2(offset, -2 * offset));
-      const WallCells cells = WallCells::of_curves(curves.walls);
+      const auto cells = find_tracer("grid")->build(curves.walls);
       for (std::uint32_t i = 0; i < curves.walls.size(); ++i)
         for (int k = 0; k < 40; ++k) {
           const double share = k < 2 ? k : draw.unit();
@@ -136,21 +136,19 @@ TEST(WallCells, OfferEveryCurveThatARayMeets) {
           if (k % 4 != 0) beside = (k % 4) * (draw.point() - Vec2(0.5, 0.5));
           const Ray ray{point - beside, (k % 3 + 0.01) * beside};
           ExactNearest exact(curves.walls, ray, {}, true, true);
-          exact.offer(i);
-          if (exact.hits().empty()) continue;
-          const std::vector<std::uint32_t> found = cells.near(ray);
-          EXPECT_TRUE(std::binary_search(found.begin(), found.end(), i))
+          exact.offer_all();
+          EXPECT_EQ(cells->all_of_one(ray), exact.hits())
               << i << ", " << k << " of " << count << " at " << offset;
         }
     }
 }
 
 // Rays from so far that where they pass a circle is within rounding of touching it.
-TEST(WallCells, OfferCirclesThatRoundingMightPassBy) {
+TEST(CellsOfCurves, HoldCirclesThatRoundingMightPassBy) {
   Draws draw(5);
   Surfaces walls;
   walls.add(Circle{{0.3, -0.7}, 0.15});
-  const WallCells cells = WallCells::of_curves(walls);
+  const auto cells = find_tracer("grid")->build(walls);
   int met = 0;
   for (int k = 0; k < 4000; ++k) {
     const double angle = 6.28 * draw.unit(), way = k % 2 == 0 ? -1e8 : 1e8;
@@ -159,7 +157,7 @@ TEST(WallCells, OfferCirclesThatRoundingMightPassBy) {
     ExactNearest exact(walls, ray, {}, true, true);
     exact.offer_all();
     if (exact.hits().empty()) continue;
-    EXPECT_EQ(cells.near(ray).size(), 1U);
+    EXPECT_EQ(cells->all_of_one(ray), exact.hits());
     ++met;
   }
   EXPECT_GT(met, 1000);

@@ -24,8 +24,12 @@ void bring_in(const Grid& grid, Placed& r) {
   r.skipped = into;
 }
 
+constexpr double kLatest =
+    0x1p90;  // beyond all that is met, and sooner than what stands for no hit
+
 // Where rays end, in cells.
 void set_ends(const Grid& grid, const Walking& walking, int i, Real end) {
+  end = smaller(end, all(kLatest));
   const Real off = size(end) * all(0x1p-22) + all(2 * static_cast<double>(grid.unit));
   store_single(walking.end_low + i, end - off);
   store_single(walking.end_high + i, end + off);
@@ -49,6 +53,15 @@ void mark_departed(const Grid& grid, const Walking& walking, int i) {
   put(walking.departed_ax, wall.ax, grid.centre_x, grid.scale_x);
   put(walking.departed_ay, wall.ay, grid.centre_y, grid.scale_y);
   put(walking.departed_bx, wall.bx, grid.centre_x, grid.scale_x);
+}
+
+// Of the curves just left, their slots and roots.
+void mark_departed_curves(const Walking& walking, int i) {
+  for (int k = i; k < i + FLATRAY_LANES; ++k) {
+    walking.departed_ax[k] = __builtin_bit_cast(float, walking.departed[k]);
+    walking.departed_ay[k] = static_cast<float>(walking.roots[k]);
+    walking.departed_bx[k] = 0;
+  }
 }
 
 bool prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fate) {
@@ -86,7 +99,10 @@ bool prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fa
       const Real size_x = size(r.dx), size_y = size(r.dy), inverse = one / (size_x * size_y);
       store_single(walking.inverse_x + i, size_y * inverse);
       store_single(walking.inverse_y + i, size_x * inverse);
-      if (walking.departed != nullptr) mark_departed(grid, walking, i);
+      if (walking.departed != nullptr && grid.curves != nullptr)
+        mark_departed_curves(walking, i);
+      else if (walking.departed != nullptr)
+        mark_departed(grid, walking, i);
     }
     if (walking.up_to != nullptr)
       set_ends(grid, walking, i, load(walking.up_to + i) * length - r.skipped);
@@ -137,4 +153,21 @@ int finish(const Grid& grid, const Rays& rays, const Finish& f) {
     }
   }
   return open;
+}
+
+void finish_curves(const Grid& grid, const Rays& rays, const CurvesMet& met) {
+  for (int i = 0; i < met.count; i += FLATRAY_LANES) {
+    int ray[FLATRAY_LANES], second[FLATRAY_LANES];
+    unsigned slot[FLATRAY_LANES];
+    for (int k = 0; k < FLATRAY_LANES; ++k) {
+      ray[k] = met.rays[i + k < met.count ? i + k : met.count - 1];
+      const int found = met.found[ray[k]];
+      second[k] = found & kSecond;
+      slot[k] = static_cast<unsigned>(found & ~kSecond);
+    }
+    const RayLanes of = {gather(rays.ox, ray), gather(rays.oy, ray), gather(rays.dx, ray),
+                         gather(rays.dy, ray)};
+    const Real side = choose(less(all(0), real(second)), all(1), all(-1));
+    store(met.t + i, circle_time(of, fetch_ends(grid.ends, slot), side));
+  }
 }

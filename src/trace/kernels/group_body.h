@@ -8,7 +8,7 @@ constexpr unsigned kEveryLane = (1U << kLanes) - 1;
 constexpr float kFar = 1e30F, kEndless = __builtin_inff();
 
 struct Constants {
-  Float side, time, near, stride, first;
+  Float side, time, near, curve, part, stride, first;
 };
 
 // A ray in every lane, and what is known of its first wall.
@@ -36,7 +36,8 @@ struct Group : Asked {
 };
 
 inline Constants constants_of(const Grid& grid) {
-  return {all(kSide * grid.unit), all(kTime * grid.unit), all(kNear * grid.unit), all(grid.stride),
+  return {all(kSide * grid.unit),  all(kTime * grid.unit), all(kNear * grid.unit),
+          all(kCurve * grid.unit), all(kPart * grid.unit), all(grid.stride),
           all(grid.first)};
 }
 
@@ -47,10 +48,11 @@ inline Record spread_record(const float* at) {
 inline bool is_last(const float* at) { return (__builtin_bit_cast(unsigned, at[3]) & 1U) != 0; }
 
 // `other` begins as where a ray ends, at the latest, so that it stops there.
-inline Int verdict(const Asked& g, bool end) {
-  if (end) {
+inline Int verdict(const Asked& g, const Walking& rays) {
+  if (rays.up_to != nullptr) {
     const Mask open = less(smaller(g.low, g.other), g.end_high);
-    return choose(less(g.high, g.end_low), g.best, choose(open, all(kDoubt), all(kNoRecord)));
+    const Float latest = rays.is_first ? smaller(g.end_low, g.other) : g.end_low;
+    return choose(less(g.high, latest), g.best, choose(open, all(kDoubt), all(kNoRecord)));
   }
   const Int unsure = choose(less(g.other, all(kFar)), all(kDoubt), all(kNoRecord));
   return choose(less(g.high, g.other), g.best, unsure);
@@ -71,8 +73,8 @@ inline void load_rays(const Walking& rays, int at, Asked& g) {
   g.best = all(kNoRecord);
 }
 
-inline void write_verdicts(const Asked& g, bool end, int* found) {
+inline void write_verdicts(const Asked& g, const Walking& rays, int* found) {
   alignas(64) unsigned met[kLanes];
-  store(met, verdict(g, end));
+  store(met, verdict(g, rays));
   __builtin_memcpy(found, met, sizeof met);
 }

@@ -70,6 +70,7 @@ namespace single {
 #include "trace/kernels/single_moves.h"
 #include "trace/kernels/group_body.h"
 #include "trace/kernels/judge_body.h"
+#include "trace/kernels/curve_body.h"
 #include "trace/kernels/walk_body.h"
 #include "trace/kernels/scan_body.h"
 #include "trace/kernels/packet_body.h"
@@ -92,6 +93,13 @@ namespace records {
 }  // namespace records
 #undef FLATRAY_LANES
 #define FLATRAY_LANES 1
+namespace single_curve {
+// clang-format off
+#include "trace/kernels/single_moves.h"
+#include "trace/kernels/group_body.h"
+#include "trace/kernels/curve_body.h"
+// clang-format on
+}  // namespace single_curve
 namespace single_ray {
 #include "trace/kernels/single_ray_body.h"
 }  // namespace single_ray
@@ -99,7 +107,9 @@ namespace single_ray {
 }  // namespace
 
 extern const Kernels kKernels;
-const Kernels kKernels = {&clip,
-                          {&prepare, &single::walk, &single::scan, &finish, &single_ray::nearest}};
+const Kernels kKernels = {
+    &clip,
+    {&prepare, &single::walk, &single::scan, &finish, &finish_curves, &single_ray::nearest,
+     &single_ray::nearest_curve, &single_ray::visit_lists}};
 
 }  // namespace flatray::lanes::FLATRAY_TIER

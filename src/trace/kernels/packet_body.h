@@ -208,13 +208,25 @@ class Packet {
 template <bool some_departed>
 void walk_together(const Grid& grid, const Walking& rays, int* found) {
   for (int i = 0; i < rays.count; i += kLanes)
-    write_verdicts(Packet<some_departed>(grid, rays, i).run(), rays.up_to != nullptr, found + i);
+    write_verdicts(Packet<some_departed>(grid, rays, i).run(), rays, found + i);
+}
+
+template <bool some_departed>
+void walk_apart(const Grid& grid, const Walking& rays, int* found) {
+  if (grid.curves == nullptr)
+    walk_all(grid, rays, found, [](const Constants& c, const Grid& walls, Group& g) {
+      test<some_departed>(c, walls, g);
+    });
+  else
+    walk_all(grid, rays, found, [](const Constants& c, const Grid& curves, Group& g) {
+      test_curves<some_departed>(c, curves, g);
+    });
 }
 
 void walk(const Grid& grid, const Walking& rays, int* found) {
-  const bool together = go_together(rays, 3);
+  const bool together = grid.curves == nullptr && go_together(rays, 3);
   if (rays.departed != nullptr)
-    (together ? walk_together<true> : walk_all<true>)(grid, rays, found);
+    (together ? walk_together<true> : walk_apart<true>)(grid, rays, found);
   else
-    (together ? walk_together<false> : walk_all<false>)(grid, rays, found);
+    (together ? walk_together<false> : walk_apart<false>)(grid, rays, found);
 }

@@ -83,3 +83,44 @@ inline Real crossing_time(const RayLanes& ray, const Ends& e) {
   const Pair wx = difference(e.ax, ray.ox), wy = difference(e.ay, ray.oy);
   return quotient(cross(wx, wy, ex, ey), cross(ray.dx, ray.dy, ex, ey));
 }
+
+// An exact sum of an exact product and a sum, to 2^-104 of the sizes of both.
+inline Pair total(const Pair& a, const Pair& b) {
+  const Pair high = difference(a.high, all(0) - b.high);
+  const Real low = high.low + (a.low + b.low), sum = high.high + low;
+  return {sum, low - (sum - high.high)};
+}
+// To 2^-103 of itself.
+inline Pair square(const Pair& a) {
+  const Pair p = product(a.high, a.high);
+  return {p.high, p.low + all(2) * a.high * a.low};
+}
+
+// t at which a circle is met, the nearest double or NaN: a step of Newton's method for f = |o + t d - c|^2 - r^2
+// from t as doubles have it, with f in double-double. f is off by 2^-100 of r times what its places are sums of, its
+// slope by 2^-50 of the products of that; the step leaves out a (step)^2. `side` is -1 where the first root is asked,
+// 1 for the second: the slope has that sign there, and nowhere beyond the middle between the two.
+inline Real circle_time(const RayLanes& ray, const Ends& circle, Real side) {
+  const Pair wx = difference(circle.ax, ray.ox), wy = difference(circle.ay, ray.oy);
+  const Real r = circle.bx, a = ray.dx * ray.dx + ray.dy * ray.dy;
+  const Real b = ray.dx * wx.high + ray.dy * wy.high, k = ray.dx * wy.high - ray.dy * wx.high;
+  const Real h = root(r * r * a - k * k), t = (b + side * h) / a;
+  const Pair tx = product(t, ray.dx), ty = product(t, ray.dy);
+  const Pair x = total(tx, {all(0) - wx.high, all(0) - wx.low});
+  const Pair y = total(ty, {all(0) - wy.high, all(0) - wy.low});
+  const Pair r2 = product(r, r), inside = total(square(x), square(y));
+  const Real f = (inside.high - r2.high) + (inside.low - r2.low);
+  const Real slope_x = ray.dx * x.high, slope_y = ray.dy * y.high;
+  const Real slope = all(2) * (slope_x + slope_y), inverse = all(1) / slope,
+             step = all(0) - f * inverse;
+  const Real terms = r * (size(tx.high) + size(ty.high) + size(wx.high) + size(wy.high) + r);
+  const Real steep = size(inverse), curved = a * size(step) * steep;
+  const Real slope_off = (size(slope_x) + size(slope_y)) * steep * all(0x1p-48);
+  const Real reach = fused(all(0x1p-98) * terms, steep, size(step) * (slope_off + all(2) * curved));
+  const Real sum = t + step, low = step - (sum - t);
+  const Mask normal = both(both(less(all(0x1p-700), r2.high), less(terms, all(0x1p900))),
+                           both(less(all(0x1p-700), sum), less(sum, all(0x1p900))));
+  const Mask certain = both(equal(sum + (low + reach), sum), equal(sum + (low - reach), sum));
+  const Mask near = both(less(all(0), side * slope), less(curved, all(0x1p-10)));
+  return choose(both(both(normal, certain), near), sum, all(__builtin_nan("")));
+}

@@ -37,11 +37,41 @@ void scan_all(const Grid& grid, const Walking& rays, int* found) {
       judge<together>(c, spread_record(record), out, g);
       if (is_last(record)) break;
     }
-    write_verdicts(g, rays.up_to != nullptr, found + i);
+    write_verdicts(g, rays, found + i);
+  }
+}
+
+template <bool some_departed>
+void scan_curves(const Grid& grid, const Walking& rays, int* found) {
+  const Constants c = constants_of(grid);
+  const Float edge = all(static_cast<float>(0 - grid.half_x));
+  for (int i = 0; i < rays.count; i += kLanes) {
+    Asked g;
+    load_rays(rays, i, g);
+    const Mask in_ring = less(g.ox, edge);
+    const unsigned* slot = grid.slots;
+    for (const float* record = grid.records;; record += 4, ++slot) {
+      const Curve& curve = grid.curves[*slot];
+      const auto row = [&](int of) { return spread_record(row_of(curve, of)); };
+      g.record = all(static_cast<int>(*slot));
+      const Left left = some_departed
+                            ? left_of(load(rays.departed + i), load(rays.roots + i), g.record)
+                            : Left{none(), none()};
+      judge_curve(
+          c, spread_record(record),
+          [&] {
+            return Curves{row(0), row(1), row(2)};
+          },
+          in_ring, left, g);
+      if (is_last(record)) break;
+    }
+    write_verdicts(g, rays, found + i);
   }
 }
 
 [[maybe_unused]] void scan(const Grid& grid, const Walking& rays, int* found) {
+  if (grid.curves != nullptr)
+    return (rays.departed != nullptr ? scan_curves<true> : scan_curves<false>)(grid, rays, found);
   const bool together = go_together(rays, 0.5F);
   if (rays.departed != nullptr)
     (together ? scan_all<true, true> : scan_all<true, false>)(grid, rays, found);

@@ -27,6 +27,7 @@ inline Float size(Float a) { return __builtin_fabsf(a); }
 inline Float with_sign_of(Float size, Float sign) { return __builtin_copysignf(size, sign); }
 inline Float turned_by(Float sign, Float a) { return __builtin_signbitf(sign) ? -a : a; }
 inline Float floor(Float a) { return __builtin_floorf(a); }
+inline Float root(Float a) { return __builtin_sqrtf(a); }
 inline Float fused(Float a, Float b, Float c) { return a * b + c; }
 inline Float fused_difference(Float a, Float b, Float c) { return a * b - c; }
 inline Int whole(Float a) { return static_cast<Int>(a); }
@@ -77,6 +78,7 @@ inline Float turned_by(Float sign, Float a) {
 }
 inline Float fused(Float a, Float b, Float c) { return a * b + c; }
 inline Float fused_difference(Float a, Float b, Float c) { return a * b - c; }
+inline Float root(Float a) { return _mm_sqrt_ps(a); }
 inline Int whole(Float a) { return _mm_cvttps_epi32(a); }
 inline Float real(Int a) { return _mm_cvtepi32_ps(a); }
 inline Float floor(Float a) {  // of what an Int can hold
@@ -145,6 +147,7 @@ inline Float turned_by(Float sign, Float a) {
   return _mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0F), sign));
 }
 inline Float floor(Float a) { return _mm256_floor_ps(a); }
+inline Float root(Float a) { return _mm256_sqrt_ps(a); }
 inline Float fused(Float a, Float b, Float c) { return _mm256_fmadd_ps(a, b, c); }
 inline Float fused_difference(Float a, Float b, Float c) { return _mm256_fmsub_ps(a, b, c); }
 inline Int whole(Float a) { return _mm256_cvttps_epi32(a); }
@@ -206,6 +209,7 @@ inline Float floor(Float a) {
 }
 inline Float fused(Float a, Float b, Float c) { return _mm512_fmadd_ps(a, b, c); }
 inline Float fused_difference(Float a, Float b, Float c) { return _mm512_fmsub_ps(a, b, c); }
+inline Float root(Float a) { return _mm512_maskz_sqrt_ps(0xffff, a); }
 inline Int whole(Float a) { return _mm512_maskz_cvttps_epi32(0xffff, a); }
 inline Float real(Int a) { return _mm512_maskz_cvtepi32_ps(0xffff, a); }
 inline Mask negative(Int a) { return _mm512_movepi32_mask(a); }

@@ -8,6 +8,7 @@ struct Ends {
   Real ax, ay, bx, by;
 };
 inline Real load(const double* from) { return *from; }
+inline Real gather(const double* from, const int* at) { return from[*at]; }
 inline void store(double* to, Real value) { *to = value; }
 inline Real all(double value) { return value; }
 inline Mask less(Real a, Real b) { return a < b; }
@@ -50,6 +51,9 @@ struct Ends {
   Real ax, ay, bx, by;
 };
 inline Real load(const double* from) { return _mm_loadu_pd(from); }
+inline Real gather(const double* from, const int* at) {
+  return _mm_setr_pd(from[at[0]], from[at[1]]);
+}
 inline void store(double* to, Real value) { _mm_storeu_pd(to, value); }
 inline Real all(double value) { return _mm_set1_pd(value); }
 inline Mask less(Real a, Real b) { return _mm_cmplt_pd(a, b); }
@@ -98,6 +102,9 @@ struct Ends {
   Real ax, ay, bx, by;
 };
 inline Real load(const double* from) { return _mm256_loadu_pd(from); }
+inline Real gather(const double* from, const int* at) {
+  return _mm256_setr_pd(from[at[0]], from[at[1]], from[at[2]], from[at[3]]);
+}
 inline void store(double* to, Real value) { _mm256_storeu_pd(to, value); }
 inline Real all(double value) { return _mm256_set1_pd(value); }
 inline Mask less(Real a, Real b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
@@ -146,6 +153,10 @@ struct Ends {
   Real ax, ay, bx, by;
 };
 inline Real load(const double* from) { return _mm512_loadu_pd(from); }
+inline Real gather(const double* from, const int* at) {
+  return _mm512_setr_pd(from[at[0]], from[at[1]], from[at[2]], from[at[3]], from[at[4]],
+                        from[at[5]], from[at[6]], from[at[7]]);
+}
 inline void store(double* to, Real value) { _mm512_storeu_pd(to, value); }
 inline Real all(double value) { return _mm512_set1_pd(value); }
 inline Mask less(Real a, Real b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }

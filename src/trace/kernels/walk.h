@@ -29,6 +29,17 @@
 //               for one rounding of its distance from the cell's corner, by u / 2 at most.
 // A hit later than the exit less kNear u M is left to the cells that follow, whose lists have it:
 // kNear + 20 <= kMargin. So a wall listed in two cells rarely competes with itself.
+//
+// Curves lie in cells of their own. In the form in which a curve is the circle |p| = r (Curve), whose
+// map has no entry above 1 and lengthens nothing, p is the form of centre - o and g that of d:
+//   form        p is off by 5.7 u M for the difference, 4.3 u M for the map's entries and 5.7 u M for
+//               its products; g by 5.5 u. So k = g x p and b = p . g are off by 39 u M, a = g . g by
+//               13 u. kCurve = 56, kForm = 2^-19 = 32 u.
+//   chord       q = r^2 a - k^2 by 2 |k| e + e^2, e = kCurve u M, and kForm (r^2 + k^2); its root h by
+//               that over h, as q is surely positive.
+//   hit         t = (b -+ h) / a by (e + that + kForm |t|) / a.
+//   part        the point p - t g, of length r, is in the part where its product with the unit
+//               vector `middle` is below -r cut: off by what t is and kPart u M, kPart = 96.
 namespace flatray::lanes {
 
 // A direction component no smaller than this has an inverse; over the way through any grid that
@@ -38,6 +49,20 @@ inline constexpr double kLeastStep = 0x1p-60;
 inline constexpr double kLeastSquare = 0x1p-900, kLargestSquare = 0x1p900;
 
 inline constexpr int kSide = 16, kTime = 33, kNear = 64, kMargin = 128;
+inline constexpr int kCurve = 56, kPart = 96;
+inline constexpr float kForm = 0x1p-19F;
+
+/// A curve in cells, in a form in which it is a circle. Its records are the centre and radius of a disc
+/// that holds it, and four times its slot, with two more where the curve is that disc's whole circle.
+struct Curve {
+  float centre_x, centre_y, radius;  ///< radius: of the form
+  float
+      doubt;  ///< 0; of a curve that is nothing of this infinite, which the lanes are never sure of
+  float form_xx, form_xy, form_yx, form_yy;  ///< the map of vectors to their forms
+  float middle_x, middle_y, cut, spare;      ///< of a part; cut = -4 of a whole curve
+
+  bool operator==(const Curve&) const = default;
+};
 
 /// Cells row by row, with a ring of empty ones around.
 ///
@@ -50,8 +75,9 @@ inline constexpr int kSide = 16, kTime = 33, kNear = 64, kMargin = 128;
 struct Grid {
   const unsigned* cells;
   const float* records;   ///< ax, ay, bx, by of a wall in a cell; three more may be read
-  const unsigned* slots;  ///< of the segments of records
-  const double* ends;     ///< ax, ay, bx, by of each segment, as given
+  const unsigned* slots;  ///< of the walls of records
+  const double* ends;     ///< ax, ay, bx, by of each segment, as given; of curves see Curve
+  const Curve* curves;    ///< by slot, where the walls are curves; else null
   double centre_x, centre_y, scale_x, scale_y;
   double half_x, half_y;  ///< rays from farther out start where they enter this box
   double ring_x, ring_y;  ///< a place in the ring
@@ -65,17 +91,20 @@ struct Grid {
 struct Walking {
   const float* number;                               ///< 0, 1, 2, ...
   float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;  ///< the inverses without their signs
-  const unsigned* departed;  ///< slot of the segment just left, or kNone; null: of no ray
+  const unsigned* departed;  ///< slot of the wall just left, or kNone; null: of no ray
+  const unsigned* roots;  ///< of a curve just left: 1 for the first, 2 for the second, 3 for both
   float *departed_ax, *departed_ay, *departed_bx;  ///< of its records, NaN where there is none
   /// Where rays end, in lengths of their directions, whole vectors; null: nowhere.
   const double* up_to;
+  bool is_first;              ///< of rays that end: whether the first wall is asked
   float *end_low, *end_high;  ///< t between which that is, where rays end
   int count;
 };
 
 /// By ray: the slot of the wall that surely is the first met, at t > 0 and between its ends, or
-/// kNoRecord (surely none), or kDoubt. Of rays that end: of any wall that surely is met before.
-inline constexpr int kNoRecord = -1, kDoubt = -2;
+/// kNoRecord (surely none), or kDoubt. Of rays that end: of one that surely is met before; the first or any.
+/// Of curves met in their second root kSecond is added.
+inline constexpr int kNoRecord = -1, kDoubt = -2, kSecond = 1 << 30;
 
 inline constexpr unsigned kNone = 0xffffffffU;  ///< no slot
 
@@ -103,6 +132,22 @@ struct SingleHit {
   double t;
 };
 
+/// Rays that have found curves, and where their t go.
+struct CurvesMet {
+  const int* rays;   ///< their numbers among the rays as given
+  const int* found;  ///< by ray as given
+  int count;
+  double* t;  ///< by place among these; whole vectors are written. NaN where t is not certain
+};
+
+/// Who asks for the lists of the cells a ray comes through: what is told the first record of each, and whether what is
+/// met later than t, in lengths of the direction, does not matter.
+struct ListVisitor {
+  void* who;
+  void (*list)(void* who, unsigned record);
+  bool (*is_settled)(void* who, double t);
+};
+
 struct WalkKernels {
   /// Fills `walking` but for `departed` and `up_to`. Of rays that cannot walk `fate` becomes kDoubt; whether
   /// there are any. Rays that miss the grid start in the ring.
@@ -113,11 +158,19 @@ struct WalkKernels {
   void (*scan)(const Grid&, const Walking&, int* found);
   /// Gives how many rays are open.
   int (*finish)(const Grid&, const Rays&, const Finish&);
+  /// t of circles, of which `ends` hold centre_x, centre_y, radius, which is 0 of what is none.
+  void (*finish_curves)(const Grid&, const Rays&, const CurvesMet&);
   /// All of it for one ray, `departed` the slot of the segment just left or kNone; of every record where there
   /// are no cells. Numbers come in registers: to read together from memory what was just written one by one
   /// would wait for the ray before.
   SingleHit (*single_ray)(const Grid&, double ox, double oy, double dx, double dy,
                           unsigned departed);
+  /// The same of curves, `found` with kSecond: the first that surely is met before `up_to`.
+  SingleHit (*single_curve)(const Grid&, double ox, double oy, double dx, double dy,
+                            unsigned departed, unsigned roots, double up_to);
+  /// Shows the lists of the cells a ray comes through, in order, of segments or curves; false where it is not certain
+  /// which these are.
+  bool (*visit_lists)(const Grid&, double ox, double oy, double dx, double dy, const ListVisitor&);
 };
 
 }  // namespace flatray::lanes

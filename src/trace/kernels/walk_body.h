@@ -2,14 +2,14 @@
 // and the judge of judge_body.h.
 
 template <bool some_departed>
-inline void test(const Constants& c, const float* records, Group& g) {
+inline void test(const Constants& c, const Grid& grid, Group& g) {
   alignas(64) unsigned at[kLanes];
   const Mask idle = negative(g.record);
   const Int record = choose(idle, all(0), g.record);
   store(at, sum(record, record));
   // By twice their numbers, as addresses take them without a shift.
   const Record r =
-      fetch([&](int lane) { return records + 2 * static_cast<unsigned long>(at[lane]); });
+      fetch([&](int lane) { return grid.records + 2 * static_cast<unsigned long>(at[lane]); });
   Mask out = idle;
   if (some_departed)
     out = either(out, both(both(equal(r.ax, g.departed_ax), equal(r.ay, g.departed_ay)),
@@ -92,11 +92,12 @@ struct Queue {
 inline void write(unsigned lanes, const Group& g, Queue& queue) {
   alignas(64) unsigned ray[kLanes], record[kLanes];
   store(ray, whole(g.ray));
-  store(record, verdict(g, queue.rays.up_to != nullptr));
+  store(record, verdict(g, queue.rays));
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = __builtin_ctz(lanes);
     const auto met = static_cast<int>(record[lane]);
-    queue.found[ray[lane]] = met < 0 ? met : static_cast<int>(queue.slots[met]);
+    queue.found[ray[lane]] =
+        met < 0 ? met : static_cast<int>(queue.slots[met & ~kSecond]) | (met & kSecond);
   }
 }
 
@@ -157,8 +158,9 @@ inline bool settle(const Constants& c, Group& g, Queue& queue) {
   return bits(g.live) != 0;
 }
 
-template <bool some_departed>
-void walk_all(const Grid& grid, const Walking& rays, int* found) {
+// `test_one(c, grid, group)` counts the walls of a group's records.
+template <class TestOne>
+void walk_all(const Grid& grid, const Walking& rays, int* found, const TestOne& test_one) {
   const Constants c = constants_of(grid);
   Queue queue{grid.slots, rays, found, 0};
   Group groups[kGroups] = {};
@@ -169,7 +171,7 @@ void walk_all(const Grid& grid, const Walking& rays, int* found) {
     enter(c, grid.cells, grid.records, grid.is_large, g);
   }
   for (bool busy = true; busy;) {
-    for (Group& g : groups) test<some_departed>(c, grid.records, g);
+    for (Group& g : groups) test_one(c, grid, g);
     for (Group& g : groups) advance(g);
     busy = false;
     for (Group& g : groups) busy = settle(c, g, queue) || busy;
