@@ -104,8 +104,8 @@ bool ArcPasses::operator()(const Vec2& middle, const Vec2& half) const {
   const Vec2 at = low_ - wall_.curve.centre + middle, form = form_of(wall_.curve, at);
   const double length = form.norm(), most = spread_of(wall_.curve, at, half), r = form_.size;
   if (!is_sound_form(length + most)) return true;
-  return length - most <= r * (1 + kOff) && length + most >= r * (1 - kOff) &&
-         form.dot(form_.middle) + most >= r * (form_.cut - kOff);
+  const bool is_beside_part = form.dot(form_.middle) + most < r * (form_.cut - kOff);
+  return length - most <= r * (1 + kOff) && length + most >= r * (1 - kOff) && !is_beside_part;
 }
 
 lanes::Curve curve_form_in_lanes(const Arc& wall, double reach) {
