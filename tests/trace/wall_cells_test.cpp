@@ -164,5 +164,49 @@ TEST(CellsOfCurves, HoldCirclesThatRoundingMightPassBy) {
   EXPECT_LT(met, 3000);
 }
 
+// Parts that reach through many cells, of ellipses that turn either way, met near their ends and elsewhere: in
+// lanes, and by rays alone.
+TEST(CellsOfCurves, OfLargePartsGiveTheFirstWall) {
+  Draws draw(6);
+  Surfaces walls;
+  std::vector<std::function<Vec2(double)>> places;
+  for (int i = 0; i < 200; ++i) walls.add(Circle{10 * draw.point(), 0.01});
+  for (int i = 0; i < 60; ++i) {
+    const Vec2 u = 4 * (draw.point() - Vec2(0.5, 0.5)),
+               v = (i % 2 == 0 ? 0.6 : -0.6) * Vec2(-u.y(), u.x());
+    const Vec2 centre = 10 * draw.point();
+    Arc arc{i % 4 == 0 ? Ellipse(Circle{centre, u.norm()}) : Ellipse(centre, u, v),
+            Arc::Extent::half,
+            u,
+            {0, 0}};
+    if (i % 4 == 0) arc.from = {1, 0};
+    double from = -1.57, sweep = 3.14;
+    if (i % 3 > 0) {
+      from = 6.28 * draw.unit(), sweep = i % 3 == 1 ? 0.2 + 2 * draw.unit() : 3.3 + 2 * draw.unit();
+      const Vec2 first = on_curve(arc, from), last = on_curve(arc, from + sweep);
+      arc = {arc.curve, Arc::Extent::between, i % 2 == 0 ? first : last, i % 2 == 0 ? last : first};
+    }
+    walls.add(arc);
+    places.push_back([=](double share) { return on_curve(arc, from + share * sweep); });
+  }
+  RayBatch rays;
+  for (const auto& place : places)
+    for (int k = 0; k < 40; ++k) {
+      const double share = k % 4 == 0   ? 0.02 * draw.unit()
+                           : k % 4 == 1 ? 1 - 0.02 * draw.unit()
+                                        : draw.unit();
+      const Vec2 way = draw.point() - Vec2(0.5, 0.5);
+      rays.add({place(share) - 0.3 * way, way});
+    }
+  const auto grid = find_tracer("grid")->build(walls);
+  std::vector<NearestHit> hits(rays.size()), exact(rays.size());
+  grid->nearest(rays, hits);
+  find_tracer("exact")->build(walls)->nearest(rays, exact);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(hits[i], exact[i]) << i;
+    EXPECT_EQ(grid->nearest_of_one(rays.ray(i)), exact[i]) << i;
+  }
+}
+
 }  // namespace
 }  // namespace flatray
