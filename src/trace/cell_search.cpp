@@ -146,6 +146,7 @@ NearestHit CellSearch::nearest(const Ray& ray, const DepartedSurface& departed,
 
 NearestHit CellSearch::nearest_beside(const NearestHit& segment, const Ray& ray,
                                       const DepartedSurface& departed, bool tangents) const {
+  if (ray.direction == Vec2(0, 0)) return nearest(ray, departed, tangents);
   Candidates found(walls_, ray, departed, segment.t * (1 + 0x1p-50) + kUnderflowError);
   if (segment) found.offer_segment(walls_.segment_slot(segment.surface));
   offer_curves(found, ray);

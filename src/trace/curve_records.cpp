@@ -58,8 +58,10 @@ BoundingDisc disc_about(const Arc& wall) {
   if (wall.extent != Arc::Extent::between) return {centre, axis};
   if (ends_on_curve(wall) && orientation(centre, wall.from, wall.to) == Sign::positive) {
     const double half = 0.5 * form_of(wall.curve, wall.to - wall.from).norm();
-    return {0.5 * wall.from + 0.5 * wall.to,
-            axis * (half / std::fabs(form_size(kPlain, wall.curve)) + 0x1p-38)};
+    const double size = std::fabs(form_size(kPlain, wall.curve));
+    // Ends that rounding moved may have changed their order, where they are close together.
+    if (half > 0x1p-13 * size)
+      return {0.5 * wall.from + 0.5 * wall.to, axis * (half / size + 0x1p-38)};
   }
   return {centre, std::max({axis, (wall.from - centre).norm(), (wall.to - centre).norm()})};
 }
@@ -76,7 +78,8 @@ ArcForm::ArcForm(const Arc& wall) : size(std::fabs(form_size(kPlain, wall.curve)
   if (wall.extent == Arc::Extent::whole || !ends_on_curve(wall)) return;
   const double turn = std::copysign(1, form_size(kPlain, curve));
   if (wall.extent == Arc::Extent::half) {
-    middle = turn * Vec2(curve.u.dot(wall.from), curve.v.dot(wall.from)).normalized();
+    const Vec2 towards = wall.from / wall.from.cwiseAbs().maxCoeff();  // whose squares are normal
+    middle = turn * Vec2(curve.u.dot(towards), curve.v.dot(towards)).stableNormalized();
     cut = 0;
     return;
   }

@@ -86,7 +86,8 @@ class LaneTracer : public Accelerator {
   }
   NearestHit nearest_of_one(const Ray& ray, const DepartedSurface& departed,
                             bool tangents) const override {
-    if (curve_cells_ || !cells_) return nearest_with_curves(ray, departed, tangents);
+    if (!walls_.curve_numbers.empty() || !cells_)
+      return nearest_with_curves(ray, departed, tangents);
     const lanes::SingleHit found = segment_of_one(ray, walls_.segment_slot(departed.surface));
     if (is_open(found)) return search_.nearest(ray, departed, tangents);
     if (found.found < 0) return {};

@@ -208,5 +208,82 @@ TEST(CellsOfCurves, OfLargePartsGiveTheFirstWall) {
   }
 }
 
+// By lanes, alone, and whether anything is met, as exact comparisons have it.
+void expect_exact(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed = {}) {
+  RayBatch rays;
+  for (int i = 0; i < 64; ++i) rays.add(ray, departed);
+  ExactNearest exact(walls, ray, departed, true);
+  exact.offer_all();
+  for (const char* name : {"brute", "grid"}) {
+    const auto ready = find_tracer(name)->build(walls);
+    std::vector<NearestHit> hits(rays.size());
+    ready->nearest(rays, hits);
+    EXPECT_EQ(hits[0], exact.hit()) << name;
+    EXPECT_EQ(ready->nearest_of_one(ray, departed), exact.hit()) << name;
+    std::vector<std::uint8_t> met(rays.size());
+    ready->any(rays, std::vector<double>(rays.size(), kInfinity), met);
+    EXPECT_EQ(met[0] != 0, static_cast<bool>(exact.hit())) << name;
+  }
+}
+Arc part_of(const Circle& circle, const Vec2& from, const Vec2& to) {
+  return {circle, Arc::Extent::between, from, to};
+}
+
+// Found by a reviewer: they have no cells, beside segments that do.
+TEST(CellsOfCurves, CurvesOfNoSizeAndOfAllSizesAreMetBesideSegments) {
+  for (const double radius : {0.0, 0x1p-903, 1e280}) {
+    Surfaces walls;
+    for (int i = 5; i < 35; ++i) walls.add(Segment{{i * 1.0, -1}, {i * 1.0, 1}});
+    walls.add(Circle{{0, 0}, radius});
+    expect_exact(walls, {{-1, 0}, {1, 0}});
+    expect_exact(walls, {{0, 0}, {-1, 0}});
+  }
+}
+
+// Found by a reviewer: the root is left, what joins the end to the curve is not.
+TEST(CellsOfCurves, TheJointBesideTheRootThatIsLeftIsMet) {
+  const Vec2 end(-0x1.aa22657537205p-2, 0x1.d18f6ead1b446p-1);
+  Surfaces above;
+  above.add(part_of({{0, 0}, 1}, {1, 0}, end));
+  expect_exact(above, {end, end}, {0, Root::second});
+  Surfaces beside;
+  beside.add(part_of({{0, 0}, 1}, {1, 0}, {0, 1 + 0x1p-42}));
+  expect_exact(beside, {{0x1p-44, 1}, {-1, 1}}, {0, Root::second});
+}
+
+// Found by a reviewer: rounded into cells, the ends of nearly a whole turn may change their order.
+TEST(CellsOfCurves, NearlyAWholeTurnIsMetEverywhere) {
+  const Vec2 centre(0x1.7e31f744fc63fp+1, 0x1.f8baf4d1f175ep+0);
+  const Vec2 from(0x1.cb556df597127p+0, 0x1.2ba8d07b5099bp+0);
+  const Arc nearly =
+      part_of({centre, 0x1.6f93fad1df28p+0}, from, {0x1.cb556df597128p+0, 0x1.2ba8d07b5099cp+0});
+  for (int i = 0; i < 300; ++i) {
+    Surfaces walls;
+    walls.add(nearly);
+    walls.add(Circle{{-2 - i * 0.025, -9.1}, 1});
+    expect_exact(walls, {centre, centre - from});
+  }
+}
+
+// Found by a reviewer: squares of what a half lies towards are denormal.
+TEST(CellsOfCurves, HalvesTowardsWhatIsTinyAreClosed) {
+  Draws draw(7);
+  Surfaces walls;
+  std::vector<Vec2> points;
+  for (int i = 0; i < 400; ++i) {
+    walls.add(
+        Arc{Circle{60 * draw.point(), 1}, Arc::Extent::half, Vec2(2.65e-162, 2.65e-162), {0, 0}});
+    const double angle = 0.785398 + (i % 2 == 0 ? 1.56 : -1.56);
+    points.push_back(on_curve(walls.arcs.back(), angle));
+  }
+  for (std::size_t i = 0; i < points.size(); i += 20)
+    expect_exact(walls, {points[i] - Vec2(0.01, 0.02), {0.01, 0.02}});
+  const WallCells cells(walls);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const auto found = near(cells, points[i]);
+    EXPECT_NE(std::find(found.begin(), found.end(), i), found.end()) << i;
+  }
+}
+
 }  // namespace
 }  // namespace flatray

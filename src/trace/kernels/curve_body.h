@@ -71,7 +71,10 @@ inline Meeting meeting(const Constants& c, const Curves& w, const Chord& o, Floa
   const Float error = fused(size(t), all(kForm), o.error) * o.inverse;
   const Float inside = inside_of(w, o, t), off = error + c.part;
   const Float low = t - error, high = t + error;
-  const Mask out = either(either(is_left, less(high, all(0.0F))), less(inside, all(0.0F) - off));
+  // What joins an end to its curve is met, also where the root beside it is left.
+  const Mask is_inner = either(less(w.part.bx, all(-2.0F)), less(off, inside));
+  const Mask left = both(is_left, is_inner);
+  const Mask out = either(either(left, less(high, all(0.0F))), less(inside, all(0.0F) - off));
   return {out, both(less(all(0.0F), low), less(off, inside)), low, high};
 }
 

@@ -76,8 +76,9 @@ struct Grid {
   const unsigned* cells;
   const float* records;   ///< ax, ay, bx, by of a wall in a cell; three more may be read
   const unsigned* slots;  ///< of the walls of records
-  const double* ends;     ///< ax, ay, bx, by of each segment, as given; of curves see Curve
-  const Curve* curves;    ///< by slot, where the walls are curves; else null
+  const double*
+      ends;  ///< ax, ay, bx, by of each segment, as given; of curves centre and radius of a circle, 0, 0, 0 of what is none
+  const Curve* curves;  ///< by slot, where the walls are curves; else null
   double centre_x, centre_y, scale_x, scale_y;
   double half_x, half_y;  ///< rays from farther out start where they enter this box
   double ring_x, ring_y;  ///< a place in the ring
@@ -93,7 +94,8 @@ struct Walking {
   float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;  ///< the inverses without their signs
   const unsigned* departed;  ///< slot of the wall just left, or kNone; null: of no ray
   const unsigned* roots;  ///< of a curve just left: 1 for the first, 2 for the second, 3 for both
-  float *departed_ax, *departed_ay, *departed_bx;  ///< of its records, NaN where there is none
+  float *departed_ax, *departed_ay,
+      *departed_bx;  ///< of its records, NaN where there is none; of curves the bits of the slot, the roots
   /// Where rays end, in lengths of their directions, whole vectors; null: nowhere.
   const double* up_to;
   bool is_first;              ///< of rays that end: whether the first wall is asked
