@@ -23,7 +23,6 @@ class Candidates {
   /// Nothing met later can be the first.
   double latest() const { return high_; }
   bool settled(double t) const { return high_ < t; }
-  bool empty() const { return open_.empty(); }
   /// Walls offered, those in several cells once for each.
   std::size_t tested() const { return tested_; }
 

@@ -46,7 +46,7 @@ class CellGrid {
   /// The disc about a curve, and how large coordinates of such are.
   const BoundingDisc& disc(std::size_t slot) const { return discs_[slot]; }
   double disc_magnitude() const { return magnitude_; }
-  /// How many walls there are, and the wall of a slot.
+  /// How many walls there are.
   std::size_t slots(const Surfaces& walls) const {
     return of_curves_ ? walls.curve_numbers.size() : walls.segments.size();
   }

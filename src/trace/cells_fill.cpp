@@ -143,8 +143,7 @@ bool is_whole_circle(const Bezier&, const BoundingDisc&) { return false; }
 template <class Curve>
 std::array<float, 4> record_of(const Curve& wall, std::size_t slot, bool is_last, double reach) {
   BoundingDisc disc = disc_about(wall);
-  const Bounds box = bounds_of(wall);
-  const BoundingDisc of_box{box.centre(), (0.5 * box.size()).norm()};
+  const BoundingDisc of_box = disc_about_box(wall);
   if (disc.centre.cwiseAbs().maxCoeff() > reach || of_box.radius < disc.radius) disc = of_box;
   const auto word = static_cast<std::uint32_t>(4 * slot + (is_whole_circle(wall, disc) ? 2 : 0) +
                                                (is_last ? 1 : 0));

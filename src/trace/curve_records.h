@@ -21,9 +21,13 @@ struct BoundingDisc {
 };
 BoundingDisc disc_about(const Arc& wall);
 template <class Wall>
-BoundingDisc disc_about(const Wall& wall) {
+BoundingDisc disc_about_box(const Wall& wall) {
   const Bounds box = bounds_of(wall);
   return {box.centre(), (0.5 * box.size()).norm()};
+}
+template <class Wall>
+BoundingDisc disc_about(const Wall& wall) {
+  return disc_about_box(wall);
 }
 
 /// A ray beside such discs, of curves whose coordinates are at most `magnitude`.

@@ -21,10 +21,10 @@ constexpr std::size_t kFewRays = kMostRaysOneByOne, kFewRaysOfList = 4;
 class LaneTracer : public Accelerator {
  public:
   /// Without cells where coordinates leave no room for lanes.
-  LaneTracer(const Surfaces& walls, std::optional<CellGrid> cells, Isa isa)
+  LaneTracer(const Surfaces& walls, std::optional<CellGrid> cells, Isa isa, unsigned threads)
       : Accelerator(walls),
         cells_(std::move(cells)),
-        curve_cells_(CellGrid::build_of_curves(walls)),
+        curve_cells_(CellGrid::build_of_curves(walls, threads)),
         view_(cells_ ? view_of(walls, *cells_) : lanes::Grid{}),
         curve_view_(curve_cells_ ? curve_cells_->view() : lanes::Grid{}),
         kernels_(lane_kernels(isa).walk),
@@ -230,8 +230,8 @@ class LaneTracer : public Accelerator {
 }  // namespace
 
 std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, std::optional<CellGrid> cells,
-                                            Isa isa) {
-  return std::make_unique<LaneTracer>(walls, std::move(cells), isa);
+                                            Isa isa, unsigned threads) {
+  return std::make_unique<LaneTracer>(walls, std::move(cells), isa, threads);
 }
 
 }  // namespace flatray

@@ -1,11 +1,11 @@
 // What the lanes of the grid and of contacts may be off by (trace/kernels/walk.h, geom/error_bounds.h) against what they
 // are: with the records and rays of the kernels, and truth in doubles, whose own errors are 2^-29 of these bounds.
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "geom/error_bounds.h"
 #include "geom/exact.h"
 #include "geom/predicates.h"
+#include "trace/bound_share.h"
 #include "trace/cells.h"
 #include "trace/kernels/tiers.h"
 #include "trace/random_rays.h"
@@ -21,16 +21,10 @@ namespace {
 // clang-format on
 #undef FLATRAY_LANES
 
-// The largest share of a bound that is used, and the least that tells something of it.
-struct Share {
-  const char* of;
-  double least, worst = 0;
-  void see(double error, double bound) { worst = std::max(worst, std::fabs(error) / bound); }
-};
 struct Shares {
-  Share side{"the side of an end", 0.25}, time{"t of an end", 0.125}, hit{"t of a hit", 0.125};
-  Share end{"t of the end of a ray", 0.125}, place{"a place in the next cell", 0.5};
-  Share filter{"a determinant", 0.25};
+  BoundShare side{"the side of an end", 0.25}, time{"t of an end", 0.125}, hit{"t of a hit", 0.125};
+  BoundShare end{"t of the end of a ray", 0.125}, place{"a place in the next cell", 0.5};
+  BoundShare filter{"a determinant", 0.25};
 };
 
 // A ray and the lanes' own.
@@ -129,7 +123,7 @@ void see_room(const Room& room, Draws& draw, Shares& shares) {
 }
 
 // As side() of collide/kernels/certify_body.h has it, of points on lines that all but agree.
-void see_filter(Draws& draw, Share& share) {
+void see_filter(Draws& draw, BoundShare& share) {
   const auto point = [&] { return Vec2(draw.spread(-2, 2), draw.spread(-2, 2)); };
   const Vec2 p = point(), q = point(), r = point();
   const Vec2 s = draw.bits() % 2 == 0 ? point() : Vec2(r + 0.7 * (q - p));
@@ -146,12 +140,9 @@ TEST(ErrorBounds, OfLanesHold) {
   Shares shares;
   for (int count = 20; count < 1000; count += 20) see_room(Room(draw, count), draw, shares);
   for (int i = 0; i < 10'000; ++i) see_filter(draw, shares.filter);
-  for (const Share& share :
-       {shares.side, shares.time, shares.hit, shares.end, shares.place, shares.filter}) {
-    fmt::print("worst error over bound: {:.3f} of {}\n", share.worst, share.of);
-    EXPECT_LE(share.worst, 1) << share.of;
-    EXPECT_GT(share.worst, share.least) << share.of << ": the draws are too easy";
-  }
+  for (const BoundShare& share :
+       {shares.side, shares.time, shares.hit, shares.end, shares.place, shares.filter})
+    share.expect_told();
 }
 
 }  // namespace

@@ -12,17 +12,25 @@
 namespace flatray {
 namespace {
 
+// Without their names; s_of(s) encloses what s does.
+template <class Found, class Enclose>
+std::vector<BezierRoot> told(const std::vector<Found>& roots, const Enclose& s_of) {
+  std::vector<BezierRoot> told;
+  for (const auto& [near, multiplicity, slope] : roots) {
+    const auto s = s_of(near);
+    told.push_back({Root::none, static_cast<int>(told.size()), multiplicity, slope,
+                    Bounded(s.value(), s.error()), false});
+  }
+  return told;
+}
+
 template <class Make>
 std::optional<std::vector<BezierRoot>> enclosed_roots(const Make& number, const Bezier& curve,
                                                       const Ray& ray) {
   const auto plain = [](const auto& x) { return x.hi(); };
   const auto roots = bernstein_roots(number, plain, beside_ray(number, curve, ray), 2);
   if (!roots) return std::nullopt;
-  std::vector<BezierRoot> found;
-  for (const auto& [s, multiplicity, slope] : *roots)
-    found.push_back({Root::none, static_cast<int>(found.size()), multiplicity, slope,
-                     Bounded(s.value(), s.error()), false});
-  return found;
+  return told(*roots, [](const auto& s) { return s; });
 }
 
 // Those that doubles tell apart, each by one more step of Newton's method, which makes twice the digits.
@@ -32,17 +40,12 @@ std::optional<std::vector<BezierRoot>> refined_roots(const Bezier& curve, const 
   if (!roots) return std::nullopt;
   const Bernstein<Quick> beside = beside_ray(kQuick, curve, ray);
   const Bernstein<Quick> rise = bernstein_derivative(beside);
-  std::vector<BezierRoot> found;
-  for (const auto& [near, multiplicity, slope] : *roots) {
-    Quick s = near.value();
-    if (near.error() > 0) {
-      const Quick around = Quick::within(near.value(), near.error());
-      s = s - bernstein_value(beside, s) / bernstein_value(rise, around);
-    }
-    found.push_back({Root::none, static_cast<int>(found.size()), multiplicity, slope,
-                     Bounded(s.value(), s.error()), false});
-  }
-  return found;
+  return told(*roots, [&](const Near& near) {
+    const Quick s = near.value();
+    if (near.error() == 0) return s;
+    const Quick around = Quick::within(near.value(), near.error());
+    return s - bernstein_value(beside, s) / bernstein_value(rise, around);
+  });
 }
 
 std::optional<std::vector<BezierRoot>> quick_roots(const Bezier& curve, const Ray& ray) {

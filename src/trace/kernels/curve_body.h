@@ -11,6 +11,10 @@ inline Curves curves_at(const Curve* curves, const unsigned* slot) {
   };
   return {rows(0), rows(1), rows(2)};
 }
+inline Curves spread_curve(const Curve& curve) {
+  const auto row = [&](int of) { return spread_record(row_of(curve, of)); };
+  return {row(0), row(1), row(2)};
+}
 
 // The roots in which rays have left their curves, where these are those of `slot`.
 struct Left {

@@ -160,17 +160,10 @@ struct CurveTest {
     for (const float* at = grid.records + 4 * static_cast<unsigned long>(record);; at += 4) {
       const single_curve::Record r = single_curve::spread_record(at);
       const int slot = single_curve::slot_of(r);
-      const auto* const curve = &grid.curves[slot];
-      const auto row = [&](int of) {
-        return single_curve::spread_record(single_curve::row_of(*curve, of));
-      };
       found.record = slot;
       const bool is_left = static_cast<unsigned>(slot) == departed;
       single_curve::judge_curve(
-          c, r,
-          [&] {
-            return single_curve::Curves{row(0), row(1), row(2)};
-          },
+          c, r, [&] { return single_curve::spread_curve(grid.curves[slot]); },
           found.best >= 0 && (found.best & ~kSecond) == slot,
           {is_left && (roots & 1U) != 0, is_left && roots > 1}, found);
       if (single_curve::is_last(at)) return;

@@ -32,7 +32,7 @@
 //
 // Curves lie in cells of their own. In the form in which a curve is the circle |p| = r (Curve), whose
 // map has no entry above 1 and lengthens nothing, p is the form of centre - o and g that of d:
-//   form        p is off by 5.7 u M for the difference, 4.3 u M for the map's entries and 5.7 u M for
+//   form        p is off by 5.7 u M for the difference, 4.3 u M for the map's entries and 6.9 u M for
 //               its products; g by 5.5 u. So k = g x p and b = p . g are off by 39 u M, a = g . g by
 //               13 u. kCurve = 56, kForm = 2^-19 = 32 u.
 //   chord       q = r^2 a - k^2 by 2 |k| e + e^2, e = kCurve u M, and kForm (r^2 + k^2); its root h by
@@ -56,8 +56,8 @@ inline constexpr float kForm = 0x1p-19F;
 /// that holds it, and four times its slot, with two more where the curve is that disc's whole circle.
 struct Curve {
   float centre_x, centre_y, radius;  ///< radius: of the form
-  float
-      doubt;  ///< 0; of a curve that is nothing of this infinite, which the lanes are never sure of
+  /// 0, or infinite of a curve that has no such form, which the lanes are never sure of.
+  float doubt;
   float form_xx, form_xy, form_yx, form_yy;  ///< the map of vectors to their forms
   float middle_x, middle_y, cut, spare;      ///< of a part; cut = -4 of a whole curve
 
@@ -76,8 +76,8 @@ struct Grid {
   const unsigned* cells;
   const float* records;   ///< ax, ay, bx, by of a wall in a cell; three more may be read
   const unsigned* slots;  ///< of the walls of records
-  const double*
-      ends;  ///< ax, ay, bx, by of each segment, as given; of curves centre and radius of a circle, 0, 0, 0 of what is none
+  /// ax, ay, bx, by of each segment, as given; of a curve the centre and radius of its circle and 0, or all 0.
+  const double* ends;
   const Curve* curves;  ///< by slot, where the walls are curves; else null
   double centre_x, centre_y, scale_x, scale_y;
   double half_x, half_y;  ///< rays from farther out start where they enter this box
@@ -94,8 +94,8 @@ struct Walking {
   float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;  ///< the inverses without their signs
   const unsigned* departed;  ///< slot of the wall just left, or kNone; null: of no ray
   const unsigned* roots;  ///< of a curve just left: 1 for the first, 2 for the second, 3 for both
-  float *departed_ax, *departed_ay,
-      *departed_bx;  ///< of its records, NaN where there is none; of curves the bits of the slot, the roots
+  /// Of the record of that segment, NaN where there is none; of a curve its slot, as bits, and its roots.
+  float *departed_ax, *departed_ay, *departed_bx;
   /// Where rays end, in lengths of their directions, whole vectors; null: nowhere.
   const double* up_to;
   bool is_first;              ///< of rays that end: whether the first wall is asked
