@@ -201,6 +201,72 @@ Ray tangent_or_from_curve(const Scene& scene, Draw& draw) {
   return draw.sign() > 0 ? tangent_ray(scene, draw) : ray_from_curve(scene, draw);
 }
 
+// Some that no cells hold: circles of no radius, of a tiny one and of one far larger than the scene;
+// and nearly whole turns, halves towards what is tiny, parts whose ends lie off their curve.
+Arc arc_of_any_kind(Draw& draw) {
+  const Vec2 at = whole_point(draw), way = spoke(draw).to;
+  switch (draw.whole(0, 7)) {
+    case 0:
+      return whole(Circle{at, 0});
+    case 1:
+      return whole(Circle{at, draw.power(-1060, -40)});
+    case 2: {
+      const double large = draw.power(0, 900);
+      return whole(Circle{at + large * way, large * way.norm()});
+    }
+    case 3: {
+      const Vec2 centre = draw.sign() > 0 ? at : Vec2(kWorld * draw.point());
+      const Circle circle{centre, 5 * draw.unit()};
+      const Vec2 from = on_curve(circle, draw).at;
+      return part_of(circle, from, nudge(from, draw), draw);
+    }
+    case 4:
+      return {Circle{at, 5}, Arc::Extent::half, draw.power(-560, -500) * way, {0, 0}};
+    case 5: {
+      const double off = draw.power(-45, 3);
+      const Vec2 to = at + way.norm() * unit_vector(draw);
+      return part_of(Circle{at, way.norm()}, at + way, to + off * unit_vector(draw), draw);
+    }
+    default:
+      return any_arc(draw);
+  }
+}
+
+Scene of_every_kind(Draw& draw) {
+  Scene scene = curves<arc_of_any_kind>(draw);
+  scene.curves_first = draw.sign() > 0;
+  for (Arc& arc : scene.curves)  // ends may be rounded to one direction, which is no arc
+    if (arc.extent == Arc::Extent::between &&
+        orientation(arc.curve.centre, arc.from, arc.to) == Sign::zero)
+      arc = whole(arc.curve);
+  while (scene.walls.size() < 3 * kCurves) {
+    const Vec2 from = whole_point(draw);
+    scene.walls.push_back({from, from + draw.whole_point(-1, 2)});
+  }
+  return scene;
+}
+
+Ray at_every_curve(const Scene& scene, Draw& draw) {
+  const double kind = draw.below(5);
+  if (kind == 0) return at_ellipse(scene, draw);
+  if (kind == 1) return at_arc_end(scene, draw);
+  const Arc& arc = draw.any(scene.curves);  // and its joint, which leads from an end to the curve
+  const Vec2 centre = arc.curve.centre, out = arc.to - centre, other = whole_point(draw);
+  const double share = draw.below(3) == 0 ? 1 : draw.unit();
+  const double reach = arc.curve.u.norm() / out.norm();
+  const Vec2 at = centre + (share + (1 - share) * reach) * out;
+  if (kind == 2) return {at, draw.sign() * out};
+  return kind == 3 ? Ray{at, spoke(draw).to} : Ray{other, at - other};
+}
+
+// Squares and quotients of what is tiny or large are not finite.
+Ray at_every_kind(const Scene& scene, Draw& draw) {
+  const Ray ray = at_every_curve(scene, draw);
+  if ((ray.origin + ray.direction).allFinite()) return ray;
+  const Vec2 from = whole_point(draw);
+  return {from, whole_point(draw) - from};
+}
+
 Move far_away(Draw& draw) {
   const double sign = draw.sign(), x = sign * draw.power(30, 50);
   return moved_by({x, x * draw.sign()});
@@ -227,6 +293,11 @@ std::vector<Family> arc_families() {
       {"round-magnitudes", "circles of radius and distance 2^-50 to 2^49",
        &curves<circle_of_any_size>, &tangent_or_from_curve},
   };
+}
+
+std::vector<Family> mixed_families() {
+  return {{"every-kind", "segments beside curves of no size, of any size, and parts of all kinds",
+           &of_every_kind, &at_every_kind}};
 }
 
 }  // namespace flatray::oracle

@@ -58,7 +58,7 @@ static void move_all(AimedScene& scene, const Move& move) {
 std::span<const Family> families() {
   static const std::vector<Family> all = [] {
     std::vector<Family> each = wall_families();
-    for (const auto& more : {arc_families(), bezier_families()})
+    for (const auto& more : {arc_families(), bezier_families(), mixed_families()})
       each.insert(each.end(), more.begin(), more.end());
     return each;
   }();

@@ -86,11 +86,12 @@ struct Family {
 inline constexpr int kPolygonsAScene = 16, kRaysAScene = 64;
 
 /// All families, in the order of their numbers; those of them with straight walls, with circles, arcs
-/// and ellipses, with Bezier curves.
+/// and ellipses, with Bezier curves, with segments and curves that cells cannot hold.
 std::span<const Family> families();
 std::vector<Family> wall_families();
 std::vector<Family> arc_families();
 std::vector<Family> bezier_families();
+std::vector<Family> mixed_families();
 
 /// Places of a family are moved by a factor of 2^-900 to 2^899, or flattened by up to 2^(1 - n).
 Move scaled(Draw& draw);
