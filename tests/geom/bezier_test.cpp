@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/decide.h"
 #include "geom/meetings.h"
 #include "geom/primitives/wall.h"
 #include "geom/quick_hit.h"
@@ -89,6 +90,30 @@ TEST(Bezier, ParametersOfTangentsAreKnownBeyondDoubles) {
   EXPECT_LT(s.error(), 0x1p-100);
   EXPECT_LE(off, Rational(s.error()));
   EXPECT_GE(off, Rational(-s.error()));
+}
+
+// Lines that nearly touch y = x^2 and a cubic, so that roots are badly told apart: the polynomial changes its
+// sign from one bound of each to the other.
+TEST(Bezier, RootsLieBetweenTheirBounds) {
+  const Bezier cubic({-1.3, 2.9}, {0.7, -4.1}, {-0.2, 3.3}, {1.9, -0.6});
+  int roots = 0;
+  for (const Bezier& curve : {kParabola, cubic})
+    for (int k = 0; k < 50; ++k)
+      for (double off = 1; off > 0x1p-30; off *= 0.125) {
+        const double place = (k + 0.37) / 50;
+        const Vec2 at = point_at(curve, place), along = tangent_at(curve, place);
+        const Vec2 beside(-off * along.y(), off * along.x());
+        const Ray ray{at + 0.01 * beside - 0.3 * along, along};
+        const Polynomial f = powers_of(beside_ray(kRational, curve, ray));
+        for (const BezierRoot& root : roots_of(curve, ray)) {
+          const Rational s = Rational(root.s.hi()) + root.s.lo(), error = root.s.error();
+          EXPECT_LT(root.s.error(), 0x1p-60);
+          EXPECT_EQ(value_at(f, s - error).sign(), -value_at(f, s + error).sign())
+              << place << ' ' << off;
+          ++roots;
+        }
+      }
+  EXPECT_GT(roots, 1000);
 }
 
 TEST(Bezier, EndsBelongToIt) {

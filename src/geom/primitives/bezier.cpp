@@ -36,15 +36,18 @@ std::optional<std::vector<BezierRoot>> enclosed_roots(const Make& number, const 
 // Those that doubles tell apart, each by one more step of Newton's method, which makes twice the digits.
 std::optional<std::vector<BezierRoot>> refined_roots(const Bezier& curve, const Ray& ray) {
   const auto plain = [](const Near& x) { return x.value(); };
-  const auto roots = bernstein_roots(kNear, plain, beside_ray(kNear, curve, ray), 2);
-  if (!roots) return std::nullopt;
   const Bernstein<Quick> beside = beside_ray(kQuick, curve, ray);
-  const Bernstein<Quick> rise = bernstein_derivative(beside);
+  Bernstein<Near> rounded;
+  for (const Quick& c : beside)
+    rounded.push_back(Near::within(c.hi(), std::fabs(c.lo()) + c.error()));
+  const auto roots = bernstein_roots(kNear, plain, rounded, 1);
+  if (!roots) return std::nullopt;
+  const Bernstein<Near> rise = bernstein_derivative(rounded);
   return told(*roots, [&](const Near& near) {
     const Quick s = near.value();
     if (near.error() == 0) return s;
-    const Quick around = Quick::within(near.value(), near.error());
-    return s - bernstein_value(beside, s) / bernstein_value(rise, around);
+    const Near slope = bernstein_value(rise, near);
+    return s - bernstein_value(beside, s) / Quick::within(slope.value(), slope.error());
   });
 }
 

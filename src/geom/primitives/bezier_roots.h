@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -7,6 +8,20 @@
 #include "geom/primitives/bezier.h"
 
 namespace flatray {
+
+/// The root between 0 and 1 of a polynomial whose coefficients change their sign once, about: by Newton's method,
+/// and by halves where that leads out of where the sign changes.
+inline double only_root_near(const Bernstein<double>& c) {
+  double low = 0, high = 1, s = c.front() / (c.front() - c.back());
+  const Bernstein<double> rise = bernstein_derivative(c);
+  for (int i = 0; i < 64; ++i) {
+    const double here = bernstein_value(c, s), next = s - here / bernstein_value(rise, s);
+    if (std::fabs(next - s) <= 0x1p-40) return next;  // what is left is about the square of that
+    ((here < 0) == (c.front() < 0) ? low : high) = s;
+    s = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  return s;
+}
 
 /// The roots in [0, 1] of a polynomial by its Bernstein coefficients, in any arithmetic with bounds.
 ///
@@ -111,7 +126,7 @@ class BernsteinRoots {
   std::optional<Number> root_within(const Bernstein<Number>& c) const {
     Bernstein<double> plain;
     for (const Number& each : c) plain.push_back(plain_(each));
-    const double near = sign_change([&](double s) { return bernstein_value(plain, s); }, 0, 1);
+    const double near = only_root_near(plain);
     const Bernstein<Number> slope = bernstein_derivative(c);
     for (const double reach : {0x1p-30, 0x1p-37, 0x1p-44, 0x1p-51}) {
       if (!(near > reach && near < 1 - reach)) continue;
