@@ -18,6 +18,9 @@ inline constexpr auto kBounded = [](double x) { return Bounded(x); };
 inline constexpr auto kRational = [](double x) { return Rational(x); };
 inline constexpr auto kQuadratic = [](double x) { return Quadratic(x); };
 
+/// Its double, and what that is off by.
+inline Near near_of(const Quick& x) { return Near::within(x.hi(), x.error() + std::fabs(x.lo())); }
+
 #if defined(__x86_64__)
 template <class Work>
 [[gnu::target("fma"), gnu::flatten]] void work_fused(const Work& work) {

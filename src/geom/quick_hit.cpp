@@ -13,9 +13,6 @@ bool is_sound(const Quick& x, const Quick& y) {
   return size > kLeast && size < kMost;
 }
 
-// Its double, and what it is off by.
-Near near(const Quick& x) { return Near::within(x.hi(), x.error() + std::fabs(x.lo())); }
-
 void place(QuickHit& hit, const Quick& x, const Quick& y) {
   hit.nearest = Vec2(x.hi() + 0.0, y.hi() + 0.0);  // never -0
   hit.rest = {Near::within(x.lo(), x.error()), Near::within(y.lo(), y.error())};
@@ -46,7 +43,7 @@ QuickHit quick_hit(const Ray& ray, const Arc& wall, Root root) {
     const auto point = curve_point(kQuick, ray, curve, root_sign(root));
     const auto normal = sized_normal(kQuick, curve, point.form);
     place(hit, point.from_centre.x + curve.centre.x(), point.from_centre.y + curve.centre.y());
-    hit.form = {near(point.form.x), near(point.form.y)};
+    hit.form = {near_of(point.form.x), near_of(point.form.y)};
     hit.is_certain = hit.is_certain && is_sound(point.form.x, point.form.y);
     hit.normal = Vec2(normal.x.hi(), normal.y.hi());
     hit.is_normal_certain = normal.x.is_rounded() && normal.y.is_rounded();

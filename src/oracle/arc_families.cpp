@@ -201,11 +201,11 @@ Ray tangent_or_from_curve(const Scene& scene, Draw& draw) {
   return draw.sign() > 0 ? tangent_ray(scene, draw) : ray_from_curve(scene, draw);
 }
 
-// Some that no cells hold: circles of no radius, of a tiny one and of one far larger than the scene;
-// and nearly whole turns, halves towards what is tiny, parts whose ends lie off their curve.
+// Circles of no radius, of a tiny one and of one far larger than the scene, which no cells hold; nearly whole
+// turns; halves whose direction is so short that its square is denormal or 0; parts whose ends lie off their curve.
 Arc arc_of_any_kind(Draw& draw) {
   const Vec2 at = whole_point(draw), way = spoke(draw).to;
-  switch (draw.whole(0, 7)) {
+  switch (draw.whole(0, 8)) {
     case 0:
       return whole(Circle{at, 0});
     case 1:
@@ -227,18 +227,16 @@ Arc arc_of_any_kind(Draw& draw) {
       const Vec2 to = at + way.norm() * unit_vector(draw);
       return part_of(Circle{at, way.norm()}, at + way, to + off * unit_vector(draw), draw);
     }
+    case 6:
+      return any_ellipse(draw);
     default:
       return any_arc(draw);
   }
 }
 
-Scene of_every_kind(Draw& draw) {
+Scene mixed_curves(Draw& draw) {
   Scene scene = curves<arc_of_any_kind>(draw);
   scene.curves_first = draw.sign() > 0;
-  for (Arc& arc : scene.curves)  // ends may be rounded to one direction, which is no arc
-    if (arc.extent == Arc::Extent::between &&
-        orientation(arc.curve.centre, arc.from, arc.to) == Sign::zero)
-      arc = whole(arc.curve);
   while (scene.walls.size() < 3 * kCurves) {
     const Vec2 from = whole_point(draw);
     scene.walls.push_back({from, from + draw.whole_point(-1, 2)});
@@ -246,22 +244,31 @@ Scene of_every_kind(Draw& draw) {
   return scene;
 }
 
-Ray at_every_curve(const Scene& scene, Draw& draw) {
+// Where a curve ends, or any way out from its centre.
+Vec2 way_out(const Arc& arc, Draw& draw) {
+  if (arc.extent == Arc::Extent::between) return arc.to - arc.curve.centre;
+  if (arc.extent == Arc::Extent::whole) return spoke(draw).to;
+  return quarter(arc.from / arc.from.cwiseAbs().maxCoeff());
+}
+
+// Half of them from or at a point on that way: where it leads to, about where it meets the curve, or between, where
+// a part whose end lies off its curve has the line that joins them.
+Ray at_mixed_curve(const Scene& scene, Draw& draw) {
   const double kind = draw.below(5);
   if (kind == 0) return at_ellipse(scene, draw);
   if (kind == 1) return at_arc_end(scene, draw);
-  const Arc& arc = draw.any(scene.curves);  // and its joint, which leads from an end to the curve
-  const Vec2 centre = arc.curve.centre, out = arc.to - centre, other = whole_point(draw);
-  const double share = draw.below(3) == 0 ? 1 : draw.unit();
+  const Arc& arc = draw.any(scene.curves);
+  const Vec2 out = way_out(arc, draw), other = whole_point(draw);
+  const double choice = draw.below(3), share = choice == 2 ? draw.unit() : choice;
   const double reach = arc.curve.u.norm() / out.norm();
-  const Vec2 at = centre + (share + (1 - share) * reach) * out;
+  const Vec2 at = arc.curve.centre + (share + (1 - share) * reach) * out;
   if (kind == 2) return {at, draw.sign() * out};
   return kind == 3 ? Ray{at, spoke(draw).to} : Ray{other, at - other};
 }
 
 // Squares and quotients of what is tiny or large are not finite.
-Ray at_every_kind(const Scene& scene, Draw& draw) {
-  const Ray ray = at_every_curve(scene, draw);
+Ray at_mixed_curves(const Scene& scene, Draw& draw) {
+  const Ray ray = at_mixed_curve(scene, draw);
   if ((ray.origin + ray.direction).allFinite()) return ray;
   const Vec2 from = whole_point(draw);
   return {from, whole_point(draw) - from};
@@ -296,8 +303,9 @@ std::vector<Family> arc_families() {
 }
 
 std::vector<Family> mixed_families() {
-  return {{"every-kind", "segments beside curves of no size, of any size, and parts of all kinds",
-           &of_every_kind, &at_every_kind}};
+  return {{"round-mixed",
+           "segments beside circles and ellipses of no size and any, and parts of all kinds",
+           &mixed_curves, &at_mixed_curves}};
 }
 
 }  // namespace flatray::oracle

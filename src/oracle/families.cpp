@@ -38,10 +38,6 @@ static void move_arc(Arc& arc, const Move& move) {
   arc.curve = {move.place(arc.curve.centre), size(arc.curve.u), size(arc.curve.v)};
   if (arc.extent != Arc::Extent::half) arc.from = move.place(arc.from);
   arc.to = move.place(arc.to);
-  // Rounding may take both ends to one direction, which is no arc.
-  if (arc.extent == Arc::Extent::between &&
-      orientation(arc.curve.centre, arc.from, arc.to) == Sign::zero)
-    arc = {arc.curve, Arc::Extent::whole, {0, 0}, {0, 0}};
 }
 
 // Rays keep the points they lead to.
@@ -70,6 +66,10 @@ AimedScene make_scene(const Family& family, Draw& draw) {
   AimedScene scene = family.walls(draw);
   while (scene.rays.size() < kRaysAScene) scene.rays.push_back(family.ray(scene, draw));
   if (family.move != nullptr) move_all(scene, move);
+  for (Arc& arc : scene.curves)  // ends may be rounded to one direction, which is no part
+    if (arc.extent == Arc::Extent::between &&
+        orientation(arc.curve.centre, arc.from, arc.to) == Sign::zero)
+      arc = {arc.curve, Arc::Extent::whole, {0, 0}, {0, 0}};
   return scene;
 }
 

@@ -86,7 +86,7 @@ struct Family {
 inline constexpr int kPolygonsAScene = 16, kRaysAScene = 64;
 
 /// All families, in the order of their numbers; those of them with straight walls, with circles, arcs
-/// and ellipses, with Bezier curves, with segments and curves that cells cannot hold.
+/// and ellipses, with Bezier curves, with curves of every size beside segments.
 std::span<const Family> families();
 std::vector<Family> wall_families();
 std::vector<Family> arc_families();

@@ -4,6 +4,7 @@
 
 #include "geom/decide.h"
 #include "geom/meetings.h"
+#include "geom/primitives/bezier_roots.h"
 #include "geom/primitives/wall.h"
 #include "geom/quick_hit.h"
 
@@ -114,6 +115,15 @@ TEST(Bezier, RootsLieBetweenTheirBounds) {
         }
       }
   EXPECT_GT(roots, 1000);
+}
+
+// Found by a reviewer: beside these roots another lies just before 0 or just beyond 1, to which Newton's method leads first.
+TEST(Bezier, RootsAreFoundBesideOthersJustOutside) {
+  const Bernstein<double> beyond{0.128, -6.6e-9, -0.0727, -3.7e-14};
+  EXPECT_NEAR(only_root_near(beyond), 0.434, 1e-3);
+  Bernstein<double> before = beyond;
+  std::reverse(before.begin(), before.end());
+  EXPECT_NEAR(only_root_near(before), 0.566, 1e-3);
 }
 
 TEST(Bezier, EndsBelongToIt) {

@@ -33,19 +33,18 @@ std::optional<std::vector<BezierRoot>> enclosed_roots(const Make& number, const 
   return told(*roots, [](const auto& s) { return s; });
 }
 
-// Those that doubles tell apart, each by one more step of Newton's method, which makes twice the digits.
+// Those that doubles tell apart, each by one more step of Newton's method, which makes twice the digits though
+// its slope is known to doubles only.
 std::optional<std::vector<BezierRoot>> refined_roots(const Bezier& curve, const Ray& ray) {
   const auto plain = [](const Near& x) { return x.value(); };
   const Bernstein<Quick> beside = beside_ray(kQuick, curve, ray);
   Bernstein<Near> rounded;
-  for (const Quick& c : beside)
-    rounded.push_back(Near::within(c.hi(), std::fabs(c.lo()) + c.error()));
+  for (const Quick& c : beside) rounded.push_back(near_of(c));
   const auto roots = bernstein_roots(kNear, plain, rounded, 1);
   if (!roots) return std::nullopt;
   const Bernstein<Near> rise = bernstein_derivative(rounded);
   return told(*roots, [&](const Near& near) {
     const Quick s = near.value();
-    if (near.error() == 0) return s;
     const Near slope = bernstein_value(rise, near);
     return s - bernstein_value(beside, s) / Quick::within(slope.value(), slope.error());
   });

@@ -9,14 +9,15 @@
 
 namespace flatray {
 
-/// The root between 0 and 1 of a polynomial whose coefficients change their sign once, about: by Newton's method,
-/// and by halves where that leads out of where the sign changes.
+/// About where a polynomial is 0 whose coefficients change their sign once: by Newton's method, and by halves where
+/// that leads out of where the sign changes. A guess, which the caller proves; of infinities it may be NaN.
 inline double only_root_near(const Bernstein<double>& c) {
   double low = 0, high = 1, s = c.front() / (c.front() - c.back());
   const Bernstein<double> rise = bernstein_derivative(c);
   for (int i = 0; i < 64; ++i) {
     const double here = bernstein_value(c, s), next = s - here / bernstein_value(rise, s);
-    if (std::fabs(next - s) <= 0x1p-40) return next;  // what is left is about the square of that
+    const bool is_inside = next > 0 && next < 1;  // there may be another root just outside
+    if (is_inside && std::fabs(next - s) <= 0x1p-40) return next;  // off by about its square
     ((here < 0) == (c.front() < 0) ? low : high) = s;
     s = next > low && next < high ? next : 0.5 * (low + high);
   }
@@ -130,7 +131,7 @@ class BernsteinRoots {
     const Bernstein<Number> slope = bernstein_derivative(c);
     for (const double reach : {0x1p-30, 0x1p-37, 0x1p-44, 0x1p-51}) {
       if (!(near > reach && near < 1 - reach)) continue;
-      const Number middle = make_(near), around = either_root(make_(reach * reach));
+      const Number middle = make_(near), around = either_root(make_(2 * reach * reach));
       Number root = newton(c, slope, middle, middle + around);
       if ((root - make_(near - reach)).sign() != Sign::positive ||
           (make_(near + reach) - root).sign() != Sign::positive)
