@@ -268,7 +268,7 @@ Ray at_mixed_curve(const Scene& scene, Draw& draw) {
 
 // Squares and quotients of what is tiny or large are not finite.
 Ray at_mixed_curves(const Scene& scene, Draw& draw) {
-  const Ray ray = at_mixed_curve(scene, draw);
+  Ray ray = at_mixed_curve(scene, draw);
   if ((ray.origin + ray.direction).allFinite()) return ray;
   const Vec2 from = whole_point(draw);
   return {from, whole_point(draw) - from};

@@ -97,9 +97,8 @@ template <class Number>
 Number bernstein_value(const Bernstein<Number>& c, const Number& s) {
   const auto mix = [&](const Number& a, const Number& b) -> Number { return a + s * (b - a); };
   if (c.size() == 1) return c[0];
-  const Number ab = mix(c[0], c[1]);
-  if (c.size() == 2) return ab;
-  const Number bc = mix(c[1], c[2]), abc = mix(ab, bc);
+  if (c.size() == 2) return mix(c[0], c[1]);
+  const Number bc = mix(c[1], c[2]), abc = mix(mix(c[0], c[1]), bc);
   return c.size() == 3 ? abc : mix(abc, mix(bc, mix(c[2], c[3])));
 }
 /// The same polynomial over [0, 1/2] and over [1/2, 1].
