@@ -208,21 +208,17 @@ TEST(CellsOfCurves, OfLargePartsGiveTheFirstWall) {
   }
 }
 
-// By lanes, alone, and whether anything is met, as exact comparisons have it.
+// What is met first, and whether anything is, as exact comparisons have it.
 void expect_exact(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed = {}) {
-  RayBatch rays;
-  for (int i = 0; i < 64; ++i) rays.add(ray, departed);
-  ExactNearest exact(walls, ray, departed, true);
-  exact.offer_all();
+  Case c{walls, {}};
+  c.rays.add(ray, departed);
+  expect_all_tiers_exact(c);
+  const bool is_met = static_cast<bool>(exact_hit_of(c, 0));
+  const RayBatch rays = many_of(c.rays);
   for (const char* name : {"brute", "grid"}) {
-    const auto ready = find_tracer(name)->build(walls);
-    std::vector<NearestHit> hits(rays.size());
-    ready->nearest(rays, hits);
-    EXPECT_EQ(hits[0], exact.hit()) << name;
-    EXPECT_EQ(ready->nearest_of_one(ray, departed), exact.hit()) << name;
     std::vector<std::uint8_t> met(rays.size());
-    ready->any(rays, std::vector<double>(rays.size(), kInfinity), met);
-    EXPECT_EQ(met[0] != 0, static_cast<bool>(exact.hit())) << name;
+    find_tracer(name)->build(walls)->any(rays, std::vector<double>(rays.size(), kInfinity), met);
+    EXPECT_EQ(met[0] != 0, is_met) << name;
   }
 }
 Arc part_of(const Circle& circle, const Vec2& from, const Vec2& to) {
