@@ -25,8 +25,6 @@ bool runs(Isa isa) {
   return isa == Isa::portable;
 }
 
-constexpr Isa kAllIsas[] = {Isa::portable, Isa::baseline, Isa::avx2, Isa::avx512};
-
 }  // namespace
 
 const char* isa_name(Isa isa) {
@@ -40,21 +38,22 @@ std::vector<Isa> available_isas() {
   return isas;
 }
 
-Result<Isa> chosen_isa() {
-  const std::vector<Isa> have = available_isas();
-  const char* wanted = std::getenv("FLATRAY_ISA");
-  if (wanted == nullptr || *wanted == '\0') return have.back();
-  std::vector<std::string> names;
+Result<Isa> usable_isa(std::string_view name, const Place& where) {
   for (const Isa isa : kAllIsas) {
-    names.emplace_back(isa_name(isa));
-    if (names.back() != wanted) continue;
+    if (name != isa_name(isa)) continue;
     if (runs(isa)) return isa;
-    return fail(named_place("FLATRAY_ISA"), fmt::format("this machine cannot run '{}'", wanted),
-                fmt::format("the fastest here is {}", isa_name(have.back())), Trouble::unavailable);
+    return fail(where, fmt::format("this machine cannot run '{}'", name),
+                fmt::format("the fastest here is {}", isa_name(available_isas().back())),
+                Trouble::unavailable);
   }
-  return fail(named_place("FLATRAY_ISA"),
-              fmt::format("'{}' is not an instruction-set tier", wanted),
+  return fail(where, fmt::format("'{}' is not an instruction-set tier", name),
               "say portable, baseline, avx2 or avx512", Trouble::usage);
+}
+
+Result<Isa> chosen_isa() {
+  const char* wanted = std::getenv("FLATRAY_ISA");
+  if (wanted == nullptr || *wanted == '\0') return available_isas().back();
+  return usable_isa(wanted, named_place("FLATRAY_ISA"));
 }
 
 Isa active_isa() {

@@ -274,6 +274,41 @@ Ray at_mixed_curves(const Scene& scene, Draw& draw) {
   return {from, whole_point(draw) - from};
 }
 
+Vec2 either_way(const Vec2& v, Draw& draw) { return draw.sign() > 0 ? v : Vec2(v.y(), v.x()); }
+
+// In a box about the origin, so that cells meet along both axes: walls and thin ellipses that stay close to an axis
+// and cross it, beside others.
+Scene along_the_axes(Draw& draw) {
+  constexpr double kHalf = 8;
+  Scene scene;
+  for (const double side : {-kHalf, kHalf}) scene.walls.push_back({{-kHalf, side}, {kHalf, side}});
+  scene.curves.push_back({Circle{{0, 0}, kHalf}, Arc::Extent::whole, {0, 0}, {0, 0}});
+  while (scene.walls.size() < 20) {
+    const Vec2 end = either_way({kHalf, draw.sign() * draw.halves(20)}, draw);
+    const Vec2 from = draw.whole_point(-8, 9);
+    scene.walls.push_back(draw.sign() > 0 ? Segment{-end, end}
+                                          : Segment{from, draw.whole_point(-8, 9)});
+  }
+  while (scene.curves.size() < 20) {
+    const Vec2 centre = draw.whole_point(-5, 6), u(draw.whole(1, 4), draw.sign() * draw.halves(20));
+    const Vec2 along = either_way(u, draw);
+    const Ellipse thin{either_way({centre.x(), 0}, draw), along, draw.halves(20) * quarter(along)};
+    const Ellipse round = Circle{centre, 0.25 * draw.whole(1, 8)};
+    scene.curves.push_back({draw.sign() > 0 ? thin : round, Arc::Extent::whole, {0, 0}, {0, 0}});
+  }
+  return scene;
+}
+
+// Most of them towards the axis.
+Ray along_an_axis(const Scene&, Draw& draw) {
+  const double aside = draw.sign() * draw.halves(60), tilt = draw.halves(60);
+  const Vec2 origin(draw.below(256) / 16 - 8, aside);
+  const Vec2 direction(
+      draw.sign(), draw.below(4) == 0 ? std::copysign(tilt, aside) : -std::copysign(tilt, aside));
+  if (draw.sign() > 0) return {origin, direction};
+  return {{origin.y(), origin.x()}, {direction.y(), direction.x()}};
+}
+
 Move far_away(Draw& draw) {
   const double sign = draw.sign(), x = sign * draw.power(30, 50);
   return moved_by({x, x * draw.sign()});
@@ -305,7 +340,10 @@ std::vector<Family> arc_families() {
 std::vector<Family> mixed_families() {
   return {{"round-mixed",
            "segments beside circles and ellipses of no size and any, and parts of all kinds",
-           &mixed_curves, &at_mixed_curves}};
+           &mixed_curves, &at_mixed_curves},
+          {"axes",
+           "rays along axes where cells meet, but for up to 2^-59, among what stays close to these",
+           &along_the_axes, &along_an_axis}};
 }
 
 }  // namespace flatray::oracle

@@ -8,9 +8,9 @@ says out 'vertex'
 
 # As many rays as are asked for, and of a part of a chunk a row, which more rays take the place of.
 run 0 stability --families vertex --count 1 --tracer brute,grid -o few
-[[ $(awk 'NR > 1 { print $3 }' "$work/out.txt" | tr '\n' ' ') == '1 1 ' ]] || fail 'one ray was asked for'
+[[ $(awk 'NR > 1 { print $4 }' "$work/out.txt" | tr '\n' ' ') == '1 1 ' ]] || fail 'one ray was asked for'
 run 0 stability --families vertex --count 16385 --tracer grid -o few
-[[ $(awk 'NR > 1 { print $3 }' "$work/out.txt") == 16385 ]] || fail 'one ray more than a chunk was asked for'
+[[ $(awk 'NR > 1 { print $4 }' "$work/out.txt") == 16385 ]] || fail 'one ray more than a chunk was asked for'
 [[ $(grep '^vertex,grid,' few/stability.csv | cut -d, -f5,6 | tr '\n' ' ') == '0,1 0,16384 1,1 ' ]] || fail 'rows are not of the rays asked for'
 run 0 verify few
 
@@ -28,6 +28,18 @@ run 0 stability --families n-gon --count 40000 -j 1 -o one
 run 0 stability --families n-gon --count 40000 -j 3 -o three
 cmp -s <(cut -d, -f1-11 one/stability.csv | sort) <(cut -d, -f1-11 three/stability.csv | sort) \
   || fail 'counts depend on the threads'
+
+# A tier has rows of its own, and counts what the others count.
+run 0 stability --families circles --tracer grid,brute --tiers portable,baseline --count 1000 -o tiers
+for tier in portable baseline; do
+  grep -qE "^circles +brute +$tier +1000 " "$work/out.txt" || fail "no row of $tier"
+  grep ",$tier," tiers/stability.csv | cut -d, -f1,2,4-11 | sort > "$tier.csv"
+done
+[[ $(wc -l < portable.csv) == 2 ]] && cmp -s portable.csv baseline.csv || fail 'tiers do not count the same'
+run 2 stability --pairs 10 --tiers portable
+says err 'is about the families of inputs'
+run 2 stability --tiers sse
+says err 'there are: portable, baseline'
 
 # The mean of the times of all chunks lies between the least and the most of them, which one chunk does not have.
 run 0 stability --families n-gon --tracer grid --count 40000 -o one

@@ -72,19 +72,6 @@ TEST(Tracers, AgreesOnRaysThatLeaveWalls) {
   expect_all_tiers_exact(c);
 }
 
-// Axis-parallel rays along the borders of cells, on a lattice of walls.
-TEST(Tracers, AgreesOnALattice) {
-  Draws draw(4);
-  Case c;
-  for (int x = 0; x <= 12; ++x)
-    for (int y = 0; y < 12; ++y) {
-      if (draw.bits() % 3 == 0) c.walls.add(Segment{Vec2(x, y), Vec2(x, y + 1)});
-      if (draw.bits() % 3 == 0) c.walls.add(Segment{Vec2(y, x), Vec2(y + 1, x)});
-    }
-  for (int i = 0; i < 600; ++i) c.rays.add({0.5 * draw.grid_point(0, 24), draw.grid_point(-2, 2)});
-  expect_all_tiers_exact(c);
-}
-
 TEST(Tracers, AgreesOnRaysFromOutside) {
   Draws draw(5);
   for (const double away : {2.0, 100.0, 1e5, 1e12, 1e200}) {
@@ -210,52 +197,6 @@ TEST(Tracers, AgreeWhereWallsCrowd) {
     EXPECT_GT(grid->divided(), 0U) << power;
     expect_all_tiers_exact(c);
   }
-}
-
-// Found by `stability --families sliver`: just below the middle, a place is a whole cell from the
-// corner of its crowded cell, as far as doubles can say.
-TEST(Tracers, AgreeJustBelowTheBorderOfACrowdedCell) {
-  Case c;
-  const double tiny = 0x1p-400;
-  for (int i = 0; i < 40; ++i) {
-    const double x = i - 20;
-    c.walls.add(Segment{{x, -4 * tiny}, {x + 0.75, 4 * tiny}});
-    c.walls.add(Segment{{4 * tiny, x}, {-4 * tiny, x + 0.75}});
-    for (int k = 0; k < 4; ++k)  // no two the same
-      c.walls.add(
-          Segment{{-0.25 + 0.1 * k, -3 * tiny}, {-0.2 + 0.1 * k, (3 + i * 0x1p-50) * tiny}});
-    for (const double y : {-5 * tiny, -1 * tiny, 1 * tiny, 5 * tiny}) {
-      c.rays.add({{x / 40, y}, {0, -y}});
-      c.rays.add({{x / 40, y}, {1, -y}});
-      c.rays.add({{x / 40, y}, {-1, y}});
-      c.rays.add({{y, x / 40}, {-y, 0}});
-    }
-  }
-  const auto grid = CellGrid::build(c.walls);
-  ASSERT_TRUE(grid);
-  EXPECT_GT(grid->divided(), 0U);
-  expect_all_tiers_exact(c);
-}
-
-// Where a ray runs along the borders of cells, rounding may say that it changes sides anywhere on its
-// way: no wall beside it may be left out, in divided cells neither.
-TEST(Tracers, AgreeOnRaysAlongTheBordersOfCells) {
-  Case c = random_case(17, 300, 0.05, 0);
-  for (Segment& s : c.walls.segments)
-    for (Vec2* p : {&s.a, &s.b}) p->x() *= p->x() * p->x();
-  const auto grid = CellGrid::build(c.walls);
-  ASSERT_TRUE(grid);
-  ASSERT_GT(grid->divided(), 0U);
-  Draws draw(18);
-  const Vec2 cell = grid->scale().cwiseInverse(), middle = -grid->place({0, 0}).cwiseProduct(cell);
-  for (int i = 0; i < 400; ++i) {
-    const double column = std::floor(grid->place(draw.point()).x() * 4) / 4;
-    const double tilt = std::ldexp(draw.unit() - 0.5, -static_cast<int>(draw.bits() % 64));
-    const double x = middle.x() + column * cell.x(), turn = i % 2 == 0 ? 1 : -1;
-    c.rays.add({{x, draw.unit()}, {tilt, turn}});
-    c.rays.add({{std::nextafter(x, 2 * draw.unit() - 1), draw.unit()}, {tilt, turn}});
-  }
-  expect_all_tiers_exact(c);
 }
 
 // Some walls many times over, from either end, and walls that only look alike in floats: rays that

@@ -34,14 +34,32 @@ std::vector<const Tracer*> exact_tracers() {
   return exact;
 }
 
-Result<std::vector<const Tracer*>> tracers_called(const std::string& text, const Place& where) {
-  FLATRAY_TRY(names, chosen_names(text, where, "tracer", tracer_names()));
-  std::vector<const Tracer*> chosen;
+// Reads names between commas, each once, each by `usable`.
+template <class Usable>
+auto each_called(const std::string& text, const Place& where, const char* what,
+                 const std::vector<std::string>& known, const Usable& usable)
+    -> Result<std::vector<typename decltype(usable(text, where))::value_type>> {
+  FLATRAY_TRY(names, chosen_names(text, where, what, known));
+  std::vector<typename decltype(usable(text, where))::value_type> chosen;
   for (const std::string& name : *names) {
-    FLATRAY_TRY(tracer, usable_tracer(name, where));
-    chosen.push_back(*tracer);
+    FLATRAY_TRY(one, usable(name, where));
+    chosen.push_back(*one);
   }
   return chosen;
+}
+
+Result<std::vector<const Tracer*>> tracers_called(const std::string& text, const Place& where) {
+  return each_called(text, where, "tracer", tracer_names(), &usable_tracer);
+}
+
+std::vector<std::string> tier_names() {
+  std::vector<std::string> names;
+  for (const Isa isa : kAllIsas) names.emplace_back(isa_name(isa));
+  return names;
+}
+
+Result<std::vector<Isa>> tiers_called(const std::string& text, const Place& where) {
+  return each_called(text, where, "instruction-set tier", tier_names(), &usable_isa);
 }
 
 struct Options : StabilityRequest {
@@ -49,6 +67,7 @@ struct Options : StabilityRequest {
   std::uint64_t count = 100'000;
   std::optional<std::uint64_t> pairs;
   bool catalogue = false, sweep = false;
+  std::vector<Isa> tiers{active_isa()};
 
   Options() {
     tracers = exact_tracers();
@@ -67,6 +86,11 @@ struct Options : StabilityRequest {
         &all_family_names);
     row("--tracer NAME,NAME", "these tracers instead of all exact ones", tracers, &tracers_called,
         &tracer_names);
+    row("--tiers NAME,NAME",
+        "each tracer in these instruction-set tiers, instead of the fastest here; with the "
+        "families "
+        "of rays",
+        tiers, &tiers_called, &tier_names);
     row("--count N", "rays of each family for each tracer", count, 1, kMost);
     row("--leaks N", "instead, for each tracer N rays aimed at the vertices of each sealed room",
         leaks, 1, kMost);
@@ -104,21 +128,12 @@ struct Options : StabilityRequest {
     }
     if (!leaks && row.has("places")) row.problem("places", "is about --leaks", "leave it out");
     if (what.empty()) return;
-    for (const char* other : {"families", "count"})
+    for (const char* other : {"families", "count", "tiers"})
       if (row.has(other) && !(pairs && std::string_view(other) == "families"))
         row.problem(other, "is about the families of inputs", "leave it out");
     row.excludes("pairs", {"tracer"});
   }
 };
-
-// Those of `names` in a family of this run.
-std::vector<ChunkLog::Key> keys_of(const Options& options, const std::string& family,
-                                   const std::vector<std::string>& names) {
-  std::vector<ChunkLog::Key> keys(names.size(),
-                                  {family, "", isa_name(active_isa()), options.seed, 0});
-  for (std::size_t i = 0; i < names.size(); ++i) keys[i].tracer = names[i];
-  return keys;
-}
 
 using Open = std::vector<std::size_t>;  // numbers of those that are asked about a chunk
 template <class T>
@@ -136,7 +151,10 @@ Result<VerbOutput> run_pairs(const Options& options) {
   std::uint64_t wrong = 0;
   for (const PairFamily& family : pair_families()) {
     if (!options.chooses(family.name)) continue;
-    const auto keys = keys_of(options, StabilityRows::pairs(family), family.methods);
+    std::vector<ChunkLog::Key> keys;
+    for (const auto& method : family.methods)
+      keys.push_back(
+          {StabilityRows::pairs(family), method, isa_name(active_isa()), options.seed, 0});
     FLATRAY_TRY(done, log->run(keys, chunks, options.scene.limits.threads,
                                [&](std::uint64_t first, std::uint64_t count, const Open& open) {
                                  return chosen(check_pairs(family, options.seed, first, count),
@@ -180,26 +198,32 @@ JsonValue known(const StabilityTally& tally, std::uint64_t ulps) {
 Result<VerbOutput> run_families(const Options& options) {
   const Chunks chunks{options.count, kRaysAChunk};
   FLATRAY_TRY(log, StabilityLog::open(options.text("output"), Outputs(options)));
-  Table table({"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
-               "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one", "ns_a_query",
-               "ns_of_chunks", "bytes_an_object", "first_wrong"});
+  std::vector<TracerInTier> asked;
+  for (const Tracer* tracer : options.tracers)
+    for (const Isa isa : options.tiers) asked.push_back({tracer, isa});
+  Table table({"family", "tracer", "isa", "rays", "hits", "wrong", "missed", "invented",
+               "other_wall", "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one",
+               "ns_a_query", "ns_of_chunks", "bytes_an_object", "first_wrong"});
   std::uint64_t wrong = 0;
   for (const oracle::Family& family : oracle::families()) {
     if (!options.chooses(family.name)) continue;
-    const auto keys = keys_of(options, family.name, names_of(options.tracers));
+    std::vector<ChunkLog::Key> keys;
+    for (const auto& [tracer, isa] : asked)
+      keys.push_back({family.name, tracer->name, isa_name(isa), options.seed, 0});
     FLATRAY_TRY(done, log->run(keys, chunks, options.scene.limits.threads,
                                [&](std::uint64_t first, std::uint64_t count, const Open& open) {
-                                 return check_rays(chosen(options.tracers, open), family,
-                                                   options.seed, first, count);
+                                 return check_rays(chosen(asked, open), family, options.seed, first,
+                                                   count);
                                }));
     for (const ChunkLog::Key& key : keys) {
       const StabilityTally sum = log->sum(key, chunks.number());
       wrong += sum.wrong + sum.off_by_more;
-      table.add({family.name, key.tracer, sum.rays, sum.hits, sum.wrong, sum.missed, sum.invented,
-                 sum.other_wall, sum.not_nearest, sum.off_by_more, known(sum, sum.worst_ulps),
-                 known(sum, sum.most_ulps()), share(sum.one_by_one, sum.watched),
-                 share(sum.nanoseconds, sum.timed), range_of_times(*log, key, chunks.number()),
-                 share(sum.bytes, sum.objects), sum.first_wrong});
+      table.add({family.name, key.tracer, key.isa, sum.rays, sum.hits, sum.wrong, sum.missed,
+                 sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
+                 known(sum, sum.worst_ulps), known(sum, sum.most_ulps()),
+                 share(sum.one_by_one, sum.watched), share(sum.nanoseconds, sum.timed),
+                 range_of_times(*log, key, chunks.number()), share(sum.bytes, sum.objects),
+                 sum.first_wrong});
     }
   }
   return stability_output(std::move(table), wrong == 0);
@@ -224,7 +248,7 @@ extern const Verb entry = {
     kCommand<Options, &run>,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"
-    "  flatray stability --families tangents,arc-ends,ellipses\n"
+    "  flatray stability --families tangents,arc-ends,ellipses --tiers portable,baseline\n"
     "  flatray stability --leaks 100000 --tracer grid --places origin,scaled-by-1e15 -o out/leaks\n"
     "  flatray stability --pairs 10000 -o out/pairs\n"
     "  flatray stability --catalogue -o out/stability\n"

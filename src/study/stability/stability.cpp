@@ -47,8 +47,8 @@ void compare(const NearestHit& hit, const oracle::NearestWall& truth, StabilityT
   if (hit.t != t) count_ulps(ulps_between(hit.t, t), tally);
 }
 
-// One scene by all tracers: what is true is found once.
-void check_scene(std::span<const Tracer* const> tracers, const oracle::AimedScene& scene,
+// One scene by all that are asked: what is true is found once.
+void check_scene(std::span<const TracerInTier> asked, const oracle::AimedScene& scene,
                  std::uint64_t item, std::span<StabilityTally> tallies) {
   const Surfaces walls = scene.surfaces();
   RayBatch rays;
@@ -57,8 +57,8 @@ void check_scene(std::span<const Tracer* const> tracers, const oracle::AimedScen
   oracle::NearestWalls oracle(walls);
   for (const Ray& ray : scene.rays) truth.push_back(oracle.of(ray));
   std::vector<NearestHit> hits(rays.size());
-  for (std::size_t k = 0; k < tracers.size(); ++k) {
-    const auto accelerator = tracers[k]->build(walls);
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const auto accelerator = asked[k].tracer->build(walls, asked[k].isa);
     StabilityTally& tally = tallies[k];
     const double start = thread_seconds();
     accelerator->nearest(rays, hits);
@@ -95,15 +95,15 @@ std::uint64_t StabilityTally::most_ulps() const {
   return worst_ulps;
 }
 
-std::vector<StabilityTally> check_rays(std::span<const Tracer* const> tracers,
+std::vector<StabilityTally> check_rays(std::span<const TracerInTier> asked,
                                        const oracle::Family& family, std::uint64_t seed,
                                        std::uint64_t first, std::uint64_t count) {
-  std::vector<StabilityTally> tallies(tracers.size());
+  std::vector<StabilityTally> tallies(asked.size());
   for (std::uint64_t ray = first; ray < first + count; ray += oracle::kRaysAScene) {
     const std::uint64_t item = ray / oracle::kRaysAScene;
     oracle::AimedScene scene = make_scene(family, seed, item);
     scene.rays.resize(std::min<std::uint64_t>(scene.rays.size(), first + count - ray));
-    check_scene(tracers, scene, item, tallies);
+    check_scene(asked, scene, item, tallies);
   }
   return tallies;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/isa.h"
 #include "oracle/families.h"
 #include "trace/tracer.h"
 
@@ -47,16 +48,22 @@ inline constexpr std::array kStabilityCounts = {
     &StabilityTally::timed,       &StabilityTally::nanoseconds, &StabilityTally::objects,
     &StabilityTally::bytes};
 
+/// Who is asked: a tracer in an instruction-set tier.
+struct TracerInTier {
+  const Tracer* tracer;
+  Isa isa = active_isa();
+};
+
 /// Of what runs keep and go on from.
 inline constexpr std::uint64_t kRaysAChunk = std::uint64_t{256} * oracle::kRaysAScene;
 
 /// Rays `first` to `first + count - 1` of a family, those of a scene in one batch.
 ///
 /// Needs   `first` a multiple of oracle::kRaysAScene.
-/// Gives   a tally for each tracer.
-/// Cost    some 1 us a ray and 1 to 2 us for each tracer; of `exact`, and where most walls are
-///         too close for bounds, some 20 us.
-std::vector<StabilityTally> check_rays(std::span<const Tracer* const> tracers,
+/// Gives   a tally for each of `asked`.
+/// Cost    some 1 us a ray, found out once for all, and 1 to 2 us for each asked; of `exact`, and
+///         where most walls are too close for bounds, some 20 us.
+std::vector<StabilityTally> check_rays(std::span<const TracerInTier> asked,
                                        const oracle::Family& family, std::uint64_t seed,
                                        std::uint64_t first, std::uint64_t count);
 

@@ -239,7 +239,13 @@ class Walk : public Test {
       this->lists(word);
     else
       cross_divided(word, at, is_across);
-    return this->may_end() && this->is_end(way(at, is_across) / step_[is_across]);
+    return this->may_end() && this->is_end(exit(way(at, true), way(at, false)));
+  }
+
+  // Of a box that ends at these ways in x and y, in steps: the earlier plane's, be it crossed next or not. Along an
+  // axis, close to a border, e is too coarse to tell, and the other plane may be met long after.
+  double exit(double way_x, double way_y) const {
+    return smaller(way_x / step_[1], way_y / step_[0]);
   }
 
   // Cells in x (or y) between the start and the plane by which the cell is left.
@@ -271,8 +277,7 @@ class Walk : public Test {
           (e < 0 && (leave_across || x + 1 < end)) || (leave_across && y + 1 == end);
       if ((inner >> 31) == 0) {
         this->lists(inner);
-        if (this->may_end() && this->is_end(e < 0 ? way_x() / step_[1] : way_y() / step_[0]))
-          return;
+        if (this->may_end() && this->is_end(exit(way_x(), way_y()))) return;
       }
       e += is_across ? q : -p;
       if ((is_across ? ++x : ++y) == end) return;

@@ -38,7 +38,7 @@ void miss(NearestHit& hit) { hit = {}; }
 template <void (*spoil)(NearestHit&)>
 StabilityTally tally_of() {
   const Tracer tracer = {"spoiled", "", true, &build<spoil>};
-  const Tracer* const spoiled[] = {&tracer};
+  const TracerInTier spoiled[] = {{&tracer}};
   return check_rays(spoiled, oracle::families()[0], 1, 0, 3 * oracle::kRaysAScene).front();
 }
 
@@ -82,7 +82,7 @@ TEST(StabilityTally, OneHitInAThousandMayBeFartherOffThanMost) {
 // Also within a scene: what comes before a ray and what comes from it on are all there is.
 TEST(Stability, FewerRaysAreTheFirstOfMore) {
   const Tracer tracer = {"spoiled", "", true, &build<&miss>};
-  const Tracer* const spoiled[] = {&tracer};
+  const TracerInTier spoiled[] = {{&tracer}};
   const auto check = [&](std::uint64_t first, std::uint64_t count) {
     return check_rays(spoiled, oracle::families()[0], 1, first, count).front();
   };
@@ -95,18 +95,20 @@ TEST(Stability, FewerRaysAreTheFirstOfMore) {
 }
 
 TEST(Stability, EveryExactTracerIsRightInEveryFamily) {
-  std::vector<const Tracer*> exact;
+  std::vector<TracerInTier> exact;
   for (const Tracer* tracer : tracers())
-    if (tracer->exact) exact.push_back(tracer);
+    for (const Isa isa : available_isas())
+      if (tracer->exact) exact.push_back({tracer, isa});
   for (const oracle::Family& family : oracle::families()) {
     const std::vector<StabilityTally> tallies =
         check_rays(exact, family, 2, 0, 2 * oracle::kRaysAScene);
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const StabilityTally& tally = tallies[i];
-      EXPECT_EQ(tally.wrong, 0U) << exact[i]->name << ", " << family.name << ", "
+      EXPECT_EQ(tally.wrong, 0U) << exact[i].tracer->name << ", " << family.name << ", "
                                  << tally.first_wrong;
-      EXPECT_EQ(tally.off_by_more, 0U) << exact[i]->name << ", " << family.name;
-      EXPECT_LE(100 * tally.not_nearest, tally.hits) << exact[i]->name << ", " << family.name;
+      EXPECT_EQ(tally.off_by_more, 0U) << exact[i].tracer->name << ", " << family.name;
+      EXPECT_LE(100 * tally.not_nearest, tally.hits)
+          << exact[i].tracer->name << ", " << family.name;
     }
   }
 }
