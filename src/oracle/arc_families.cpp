@@ -277,24 +277,25 @@ Ray at_mixed_curves(const Scene& scene, Draw& draw) {
 Vec2 either_way(const Vec2& v, Draw& draw) { return draw.sign() > 0 ? v : Vec2(v.y(), v.x()); }
 
 // In a box about the origin, so that cells meet along both axes: walls and thin ellipses that stay close to an axis
-// and cross it, beside others.
+// and cross it, beside others, which in half of the scenes crowd about the origin.
 Scene along_the_axes(Draw& draw) {
   constexpr double kHalf = 8;
   Scene scene;
   for (const double side : {-kHalf, kHalf}) scene.walls.push_back({{-kHalf, side}, {kHalf, side}});
   scene.curves.push_back({Circle{{0, 0}, kHalf}, Arc::Extent::whole, {0, 0}, {0, 0}});
+  const double size = draw.sign() > 0 ? 1 : 0x1p-6;
   while (scene.walls.size() < 20) {
     const Vec2 end = either_way({kHalf, draw.sign() * draw.halves(20)}, draw);
     const Vec2 from = draw.whole_point(-8, 9);
     scene.walls.push_back(draw.sign() > 0 ? Segment{-end, end}
                                           : Segment{from, draw.whole_point(-8, 9)});
   }
-  while (scene.curves.size() < 20) {
+  while (scene.curves.size() < 40) {
     const Vec2 centre = draw.whole_point(-5, 6), u(draw.whole(1, 4), draw.sign() * draw.halves(20));
     const Vec2 along = either_way(u, draw);
     const Ellipse thin{either_way({centre.x(), 0}, draw), along, draw.halves(20) * quarter(along)};
-    const Ellipse round = Circle{centre, 0.25 * draw.whole(1, 8)};
-    scene.curves.push_back({draw.sign() > 0 ? thin : round, Arc::Extent::whole, {0, 0}, {0, 0}});
+    const Ellipse round = Circle{size * centre, 0.25 * size * draw.whole(1, 8)};
+    scene.curves.push_back({draw.below(4) == 0 ? thin : round, Arc::Extent::whole, {0, 0}, {0, 0}});
   }
   return scene;
 }

@@ -85,5 +85,37 @@ TEST(Tracers, AgreeOnRaysAlongTheBordersOfCells) {
   }
 }
 
+// Of a crowded cell whose border a ray runs along, rounding may say that it leaves its cells at once.
+TEST(Tracers, AgreeOnRaysAlongTheBordersOfCrowdedCells) {
+  for (const bool of_curves : {false, true}) {
+    Draws draw(19);
+    Case c;
+    c.walls.add(Circle{{0, 0}, 1});
+    c.walls.add(Segment{{-1, -1}, {-1, 1}});
+    c.walls.add(Segment{{1, -1}, {1, 1}});
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 at = (i % 5 == 0 ? 2 : 0.05) * (draw.point() - Vec2(0.5, 0.5));
+      if (of_curves)
+        c.walls.add(Circle{at, 0.02 * draw.unit() * draw.unit()});
+      else
+        c.walls.add(Segment{at, at + 0.04 * (draw.point() - Vec2(0.5, 0.5))});
+    }
+    const auto grid = of_curves ? CellGrid::build_of_curves(c.walls) : CellGrid::build(c.walls);
+    ASSERT_TRUE(grid);
+    ASSERT_GT(grid->divided(), 0U);
+    for (int i = 0; i < 2000; ++i) {
+      const auto little = [&] {
+        return std::ldexp(draw.unit() - 0.5, -40 - static_cast<int>(draw.bits() % 20));
+      };
+      const Vec2 from(0.05 * (draw.unit() - 0.5), little()), way(i % 2 == 0 ? 1 : -1, little());
+      if (i % 4 < 2)
+        c.rays.add({from, way});
+      else
+        c.rays.add({{from.y(), from.x()}, {way.y(), way.x()}});
+    }
+    expect_all_tiers_exact(c);
+  }
+}
+
 }  // namespace
 }  // namespace flatray

@@ -235,17 +235,15 @@ class Walk : public Test {
  private:
   // Tests the walls of a cell; whether nothing can come before what was met.
   __attribute__((noinline)) bool visit(unsigned word, long at, bool is_across) {
-    if ((word >> 30) == 0)
-      this->lists(word);
-    else
-      cross_divided(word, at, is_across);
-    return this->may_end() && this->is_end(exit(way(at, true), way(at, false)));
+    if ((word >> 30) != 0) return cross_divided(word, at, is_across);
+    this->lists(word);
+    return is_end_of_walk(way(at, true), way(at, false));
   }
 
-  // Of a box that ends at these ways in x and y, in steps: the earlier plane's, be it crossed next or not. Along an
-  // axis, close to a border, e is too coarse to tell, and the other plane may be met long after.
-  double exit(double way_x, double way_y) const {
-    return smaller(way_x / step_[1], way_y / step_[0]);
+  // After a box that ends at these ways in x and y: what is met before the earlier of the two planes, be it crossed
+  // next or not. Along an axis, close to a border, e is too coarse to tell, and the other may be met long after.
+  bool is_end_of_walk(double way_x, double way_y) const {
+    return this->may_end() && this->is_end(smaller(way_x / step_[1], way_y / step_[0]));
   }
 
   // Cells in x (or y) between the start and the plane by which the cell is left.
@@ -254,8 +252,9 @@ class Walk : public Test {
   }
 
   // The cells of a cell. They are entered a little early and left as the cell itself is: so the way
-  // has no gap, whatever rounding says of ways close to the borders.
-  __attribute__((noinline)) void cross_divided(unsigned word, long at, bool leave_across) {
+  // has no gap, whatever rounding says of ways close to the borders. As they may be left before the cell itself, only
+  // they tell whether the walk ends.
+  __attribute__((noinline)) bool cross_divided(unsigned word, long at, bool leave_across) {
     const auto n = static_cast<double>(__builtin_bit_cast(float, word & 0x7f800000U));
     const unsigned* cells = this->grid.cells + 16 * static_cast<unsigned long>(word & 0x7fffffU);
     // Of the lower corner of the cell, as seen from the start.
@@ -277,10 +276,10 @@ class Walk : public Test {
           (e < 0 && (leave_across || x + 1 < end)) || (leave_across && y + 1 == end);
       if ((inner >> 31) == 0) {
         this->lists(inner);
-        if (this->may_end() && this->is_end(exit(way_x(), way_y()))) return;
+        if (is_end_of_walk(way_x(), way_y())) return true;
       }
       e += is_across ? q : -p;
-      if ((is_across ? ++x : ++y) == end) return;
+      if ((is_across ? ++x : ++y) == end) return false;
     }
   }
 
