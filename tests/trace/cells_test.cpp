@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "full_counts.h"
 #include "trace/cells_hashes.h"
 #include "trace/crowd.h"
 #include "trace/kernels/tiers.h"
@@ -77,7 +78,7 @@ TEST(Tracers, AgreesOnRaysFromOutside) {
   for (const double away : {2.0, 100.0, 1e5, 1e12, 1e200}) {
     Case c;
     c.walls = crowd(draw, 30, 0.1);
-    for (int i = 0; i < 200; ++i) {
+    for (std::uint64_t i = 0; i < times(200); ++i) {
       const Vec2 from = away * (draw.point() - Vec2(0.5, 0.5));
       const Vec2 to = i % 2 == 0 ? draw.point() : any_end(draw, c.walls);
       c.rays.add({from, to - from});

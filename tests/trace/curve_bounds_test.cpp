@@ -1,6 +1,7 @@
 // What the lanes may be off by of curves (trace/kernels/walk.h) against what they are, as lane_bounds_test.cpp.
 #include <gtest/gtest.h>
 
+#include "full_counts.h"
 #include "geom/decide.h"
 #include "trace/bound_share.h"
 #include "trace/cells.h"
@@ -116,9 +117,10 @@ void see_curve(const Curved& given, int cells, CurveShares& shares) {
 TEST(ErrorBounds, OfLanesHoldForCurves) {
   Draws draw(92);
   CurveShares shares;
-  for (int i = 0; i < 10'000; ++i) see_curve(Curved(draw), 20 + i % 7 * 40, shares);
-  EXPECT_GT(shares.hits, 3000);
-  EXPECT_GT(shares.misses, 300);
+  const int count = static_cast<int>(times(10'000));
+  for (int i = 0; i < count; ++i) see_curve(Curved(draw), 20 + i % 7 * 40, shares);
+  EXPECT_GT(10 * shares.hits, 3 * count);
+  EXPECT_GT(100 * shares.misses, 3 * count);
   for (const BoundShare& share : {shares.chord, shares.hit, shares.part}) share.expect_told();
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "full_counts.h"
 #include "geom/primitives/wall.h"
 #include "trace/random_rays.h"
 
@@ -102,7 +103,7 @@ TEST(CurveFilter, TellsOfPartsOfCurvesWhatIsTrue) {
 TEST(CurveFilter, TellsOfBezierCurvesWhatIsTrue) {
   Draws draws(3);
   int told = 0, others = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (std::uint64_t i = 0; i < times(20000); ++i) {
     const auto point = [&] { return Vec2(4 * draws.point() - Vec2(2, 2)); };
     Bezier curve(point(), point(), point(), point());
     if (i % 3 == 1) curve = Bezier(point(), point(), point());

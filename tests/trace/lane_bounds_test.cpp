@@ -2,6 +2,7 @@
 // are: with the records and rays of the kernels, and truth in doubles, whose own errors are 2^-29 of these bounds.
 #include <gtest/gtest.h>
 
+#include "full_counts.h"
 #include "geom/error_bounds.h"
 #include "geom/exact.h"
 #include "geom/predicates.h"
@@ -138,8 +139,9 @@ void see_filter(Draws& draw, BoundShare& share) {
 TEST(ErrorBounds, OfLanesHold) {
   Draws draw(91);
   Shares shares;
-  for (int count = 20; count < 1000; count += 20) see_room(Room(draw, count), draw, shares);
-  for (int i = 0; i < 10'000; ++i) see_filter(draw, shares.filter);
+  for (int count = 20; count < 1000; count += kSanitized ? 100 : 20)
+    see_room(Room(draw, count), draw, shares);
+  for (std::uint64_t i = 0; i < times(10'000); ++i) see_filter(draw, shares.filter);
   for (const BoundShare& share :
        {shares.side, shares.time, shares.hit, shares.end, shares.place, shares.filter})
     share.expect_told();

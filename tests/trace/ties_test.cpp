@@ -2,6 +2,7 @@
 // exact code's hits on every tier.
 #include <gtest/gtest.h>
 
+#include "full_counts.h"
 #include "geom/decide.h"
 #include "trace/all_tracers.h"
 
@@ -78,7 +79,8 @@ RayBatch rays_to_halves(const Segment& wall, int count, Draws& draw) {
 TEST(Ties, TimesHalfWayBetweenDoublesAreRoundedOnce) {
   Draws draw(11);
   const Segment wall{{1.25 + 0x1p-52, 1}, {1.5, 1.7 + 0x1p-51}};
-  Case c{{}, rays_to_halves(wall, 20000, draw)};
+  const int count = static_cast<int>(times(20000));
+  Case c{{}, rays_to_halves(wall, count, draw)};
   c.walls.add(wall);
   const auto exact = [](double x) { return Rational(x); };
   int below = 0;
@@ -89,8 +91,8 @@ TEST(Ties, TimesHalfWayBetweenDoublesAreRoundedOnce) {
     ASSERT_EQ(exact_hit_of(c, i).t, t.nearest()) << i;
     below += t > t.nearest() ? 1 : 0;
   }
-  EXPECT_GT(below, 5000);
-  EXPECT_LT(below, 15000);
+  EXPECT_GT(below, count / 4);
+  EXPECT_LT(below, 3 * count / 4);
   expect_all_tiers_exact(c);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "full_counts.h"
 #include "geom/decide.h"
 #include "trace/all_tracers.h"
 
@@ -129,7 +130,7 @@ TEST(CellsOfCurves, HoldEveryCurveThatARayMeets) {
       const Curves curves = curves_of_all_kinds(draw, count, Vec2(offset, -2 * offset));
       const auto cells = find_tracer("grid")->build(curves.walls);
       for (std::uint32_t i = 0; i < curves.walls.size(); ++i)
-        for (int k = 0; k < 40; ++k) {
+        for (int k = 0; k < static_cast<int>(times(40)); ++k) {
           const double share = k < 2 ? k : draw.unit();
           const Vec2 point = curves.places[i](share), step = curves.places[i](share + 1e-4) - point;
           Vec2 beside = -1e3 * step;

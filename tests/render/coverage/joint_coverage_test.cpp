@@ -85,7 +85,7 @@ struct Errors {
 // What is seen of an item is its share of the union with those above it beyond theirs.
 TEST(JointCoverage, OpaqueItemsAreSeenAsFarAsNoneAboveCoversThem) {
   Errors errors, of_integrals;
-  for (std::uint64_t item = 0; item < 60; ++item) {
+  for (std::uint64_t item = 0; item < times(60); ++item) {
     Draws draws(17, item);
     Overlapping scene;
     SeenArea integrals;
