@@ -132,7 +132,7 @@ TEST(Lamps, AreCopied) {
   EXPECT_EQ(scene.lamps[5].name, "l.5");
 }
 
-const Scatterer& scatterer(Scene& kept, const std::string& material) {
+const Scatterer& scatterer(Scene& kept, const char* material) {
   kept = loaded(with_material(material)).scene;
   return *kept.scatterers.at(kept.entities[0].scatterer);
 }

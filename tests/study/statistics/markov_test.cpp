@@ -32,10 +32,10 @@ Result<ExperimentResult> run(const Scene& scene, std::uint64_t seed, std::uint64
   return markov().run({scene, seed, count, threads});
 }
 
-const std::string& file(const ExperimentResult& result, const std::string& name) {
+const std::string& file(const ExperimentResult& result, const char* name) {
   for (const ExperimentResult::File& file : result.files)
     if (file.name == name) return file.content;
-  throw std::logic_error(name + " is missing");
+  throw std::logic_error(std::string(name) + " is missing");
 }
 
 nlohmann::json starts(const ExperimentResult& result) {
