@@ -44,7 +44,7 @@ inline RowRange rows_near(const Raster& raster, const Vec2& a, const Vec2& b) {
 
 /// Cells that a segment comes near to, of the rows in `range`. Row by row: the part of the segment
 /// in the row and a margin around it, and a margin beside that. A rounding moves the part up or down
-/// by 2^-50 cells, the margin is 128 units and the walk needs 84.
+/// by 2^-50 cells, the margin is 128 units and the walk needs 88.
 template <class Visit>
 void visit_cells(const Raster& raster, const RowRange& range, Vec2 a, Vec2 b, const Visit& visit) {
   if (a.y() > b.y()) std::swap(a, b);

@@ -130,13 +130,13 @@ Bezier CellGrid::placed(const Bezier& wall) const {
   for (Vec2& point : placed.points) point = place(point);
   return placed;
 }
-// Of half a curve `from` is no point, but what it lies towards.
+// Of half a curve `from` is no point, but what it lies towards; that cells keep, as they are square for curves.
 Arc CellGrid::placed(const Arc& wall) const {
   const auto& [centre, u, v] = wall.curve;
   const bool is_half = wall.extent == Arc::Extent::half;
   return {{place(centre), u.cwiseProduct(scale_), v.cwiseProduct(scale_)},
           wall.extent,
-          is_half ? wall.from.cwiseQuotient(scale_) : place(wall.from),
+          is_half ? wall.from : place(wall.from),
           place(wall.to)};
 }
 

@@ -14,8 +14,11 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kCrowded = 16;           // segments of a cell that is divided
-constexpr int kMostParts = 64;                 // of its sides
+constexpr std::size_t kCrowded = 16;  // segments of a cell that is divided
+constexpr int kMostParts = 64;        // of its sides
+// Of all crowded cells together, whose words find theirs among 2^27; beyond, which takes ten million walls
+// and more, no cell is divided.
+constexpr std::size_t kMostDividedWords = (std::size_t{1} << 27) - (std::size_t{1} << 25);
 constexpr std::size_t kSegmentsAStrip = 4096;  // fewer would not pay for a task
 constexpr std::size_t kMostStrips = 64;
 constexpr std::size_t kSegmentsAChunk = 32768;  // sorted into strips by one task
@@ -163,7 +166,8 @@ void CellGrid::visit_near(const Surfaces& walls, std::size_t slot, const Raster&
 // first.
 class CellGrid::Part {
  public:
-  Part(const CellGrid& grid, const Surfaces& walls) : grid_(grid), walls_(walls) {}
+  Part(const CellGrid& grid, const Surfaces& walls, int most_parts)
+      : grid_(grid), walls_(walls), most_parts_(most_parts) {}
 
   /// `each_slot(visit)` gives the segments near the rows, by number.
   template <class EachSlot>
@@ -234,7 +238,7 @@ class CellGrid::Part {
       length += std::min(extent.sum(), 1.5);
     }
     int n = 1;
-    while (n < kMostParts && n * n < count && n * length < 2 * count &&
+    while (n < most_parts_ && n * n < count && n * length < 2 * count &&
            lanes::kMargin * grid_.unit_ * n < 0x1p-4)
       n *= 2;
     return n;
@@ -263,6 +267,7 @@ class CellGrid::Part {
 
   const CellGrid& grid_;
   const Surfaces& walls_;
+  const int most_parts_;
 };
 
 void CellGrid::fill(const Surfaces& walls, unsigned threads) {
@@ -275,10 +280,18 @@ void CellGrid::fill(const Surfaces& walls, unsigned threads) {
       return rows_near(raster, box.low + corner, box.high + corner);
     });
   });
-  std::vector<Part> made(strips.size(), Part(*this, walls));
-  parallel_for(strips.size(), threads, [&](std::size_t i) {
-    made[i].fill(raster, strips.rows(i), [&](const auto& visit) { strips.visit(i, visit); });
-  });
+  std::vector<Part> made;
+  const auto make = [&](int most_parts) {
+    made.clear();
+    for (std::size_t i = 0; i < strips.size(); ++i) made.emplace_back(*this, walls, most_parts);
+    parallel_for(strips.size(), threads, [&](std::size_t i) {
+      made[i].fill(raster, strips.rows(i), [&](const auto& visit) { strips.visit(i, visit); });
+    });
+  };
+  make(kMostParts);
+  std::size_t divided_words = 0;
+  for (const Part& part : made) divided_words += part.divided_words.size();
+  if (divided_words > kMostDividedWords) make(1);
   std::vector<RowRange> rows;
   for (std::size_t i = 0; i < made.size(); ++i) rows.push_back(strips.rows(i));
   join(made, rows, threads);

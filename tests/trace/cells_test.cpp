@@ -328,5 +328,29 @@ TEST(CellGrid, HasTheSameBitsForAnyNumberOfThreads) {
     EXPECT_TRUE(*CellGrid::build(walls, threads) == *alone) << threads;
 }
 
+// Found by a reviewer: more words of divided cells than their index counts. Eight million walls.
+TEST(CellGrid, CellsAreNotDividedWhereTheirWordsWouldBeTooMany) {
+  if (!at_full_counts()) GTEST_SKIP() << "takes half a minute: FLATRAY_FULL_COUNTS";
+  constexpr int kClusters = 690, kWalls = 17, kAside = 4000, kStep = (kAside - 40) / kClusters;
+  constexpr double kScale = (kAside - 512 * 0x1p-24 * (kAside / 2 + 1)) / 2, kSize = 1e-7 / kScale;
+  Draws draw(26);
+  Surfaces walls;
+  for (const double y : {-1, 1}) walls.add(Segment{{-1, y}, {1, y}});
+  // Where four cells meet.
+  const auto corner = [](int i) { return (i - kClusters / 2) * kStep / kScale; };
+  for (int i = 0; i < kClusters * kClusters; ++i) {
+    const Vec2 at(corner(i % kClusters), corner(i / kClusters));
+    for (int k = 0; k < kWalls; ++k)
+      walls.add(Segment{at + kSize * draw.point(), at - kSize * draw.point()});
+  }
+  const auto grid = find_tracer("grid")->build(walls);
+  for (const int i : {0, 1, kClusters / 2, kClusters - 1}) {
+    const Vec2 at(corner(i), corner(kClusters - 1)), way = Vec2(0.5, 0.3) / kScale;
+    ExactNearest exact(walls, {at - way, way}, {}, true);
+    exact.offer_all();
+    EXPECT_EQ(grid->nearest_of_one({at - way, way}, {}, true), exact.hit()) << i;
+  }
+}
+
 }  // namespace
 }  // namespace flatray

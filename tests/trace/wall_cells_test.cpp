@@ -282,5 +282,28 @@ TEST(CellsOfCurves, HalvesTowardsWhatIsTinyAreClosed) {
   }
 }
 
+// Found by a reviewer: in cells, what these lie towards lost its direction.
+TEST(CellsOfCurves, HalvesTowardsWhatIsDenormalKeepTheirDirection) {
+  Draws draw(8);
+  for (const double unit : {1.0, 0x1p-700, 0x1p300})
+    for (const int count : {1, 40}) {
+      Surfaces walls;
+      for (int i = 0; i < count; ++i) {
+        const Vec2 centre = unit * draw.point();
+        const int most =
+            unit < 1 ? -360 : -1010;  // its square root, or what doubles hold beside it
+        const Vec2 way = 2 * draw.point() - Vec2(1, 1);
+        const Vec2 towards = std::ldexp(1.0, most - static_cast<int>(draw.bits() % 20)) * way;
+        walls.add(Arc{Circle{centre, 0.2 * unit}, Arc::Extent::half, towards, {0, 0}});
+        walls.add(Arc{Circle{centre, 0.1 * unit},
+                      Arc::Extent::half,
+                      Vec2(draw.whole(-7, 8), 0.5) * 0x1p-1072,
+                      {0, 0}});
+      }
+      for (std::uint64_t i = 0; i < times(30); ++i)
+        expect_exact(walls, {unit * draw.point(), unit * (draw.point() - Vec2(0.5, 0.5))});
+    }
+}
+
 }  // namespace
 }  // namespace flatray

@@ -24,11 +24,11 @@
 //               doubles, and by u of itself once it is a float; 2 u M and 2^-22 of itself are
 //               allowed for.
 //   place       the ray leaves a box of cells at the least t of its two exit planes as computed; up
-//               to there it is within 10 u M of the box, and the next cell is rounded from a place
-//               as near: 20 u M in all. Cells of divided cells are found from the same place, but
+//               to there it is within 12 u M of the box, and the next cell is rounded from a place
+//               as near: 24 u M in all. Cells of divided cells are found from the same place, but
 //               for one rounding of its distance from the cell's corner, by u / 2 at most.
 // A hit later than the exit less kNear u M is left to the cells that follow, whose lists have it:
-// kNear + 20 <= kMargin. So a wall listed in two cells rarely competes with itself.
+// kNear + 24 <= kMargin. So a wall listed in two cells rarely competes with itself.
 //
 // Curves lie in cells of their own. In the form in which a curve is the circle |p| = r (Curve), whose
 // map has no entry above 1 and lengthens nothing, p is the form of centre - o and g that of d:
