@@ -199,6 +199,7 @@ Result<VerbOutput> run_families(const Options& options) {
   const Chunks chunks{options.count, kRaysAChunk};
   FLATRAY_TRY(log, StabilityLog::open(options.text("output"), Outputs(options)));
   std::vector<TracerInTier> asked;
+  asked.reserve(options.tracers.size() * options.tiers.size());
   for (const Tracer* tracer : options.tracers)
     for (const Isa isa : options.tiers) asked.push_back({tracer, isa});
   Table table({"family", "tracer", "isa", "rays", "hits", "wrong", "missed", "invented",
