@@ -152,6 +152,7 @@ Result<VerbOutput> run_pairs(const Options& options) {
   for (const PairFamily& family : pair_families()) {
     if (!options.chooses(family.name)) continue;
     std::vector<ChunkLog::Key> keys;
+    keys.reserve(family.methods.size());
     for (const auto& method : family.methods)
       keys.push_back(
           {StabilityRows::pairs(family), method, isa_name(active_isa()), options.seed, 0});
@@ -209,6 +210,7 @@ Result<VerbOutput> run_families(const Options& options) {
   for (const oracle::Family& family : oracle::families()) {
     if (!options.chooses(family.name)) continue;
     std::vector<ChunkLog::Key> keys;
+    keys.reserve(asked.size());
     for (const auto& [tracer, isa] : asked)
       keys.push_back({family.name, tracer->name, isa_name(isa), options.seed, 0});
     FLATRAY_TRY(done, log->run(keys, chunks, options.scene.limits.threads,
