@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t kCrowded = 16;  // segments of a cell that is divided
 constexpr int kMostParts = 64;        // of its sides
-// Of all crowded cells together, whose words find theirs among 2^27; beyond, which takes ten million walls
-// and more, no cell is divided.
+// Of all crowded cells together, whose words find theirs among 2^27; beyond, which takes eight million
+// walls and more, no cell is divided.
 constexpr std::size_t kMostDividedWords = (std::size_t{1} << 27) - (std::size_t{1} << 25);
 constexpr std::size_t kSegmentsAStrip = 4096;  // fewer would not pay for a task
 constexpr std::size_t kMostStrips = 64;

@@ -88,8 +88,7 @@ struct Options : StabilityRequest {
         &tracer_names);
     row("--tiers NAME,NAME",
         "each tracer in these instruction-set tiers, instead of the fastest here; with the "
-        "families "
-        "of rays",
+        "families of rays",
         tiers, &tiers_called, &tier_names);
     row("--count N", "rays of each family for each tracer", count, 1, kMost);
     row("--leaks N", "instead, for each tracer N rays aimed at the vertices of each sealed room",
