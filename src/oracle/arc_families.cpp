@@ -276,12 +276,6 @@ Ray at_mixed_curves(const Scene& scene, Draw& draw) {
 
 Vec2 either_way(const Vec2& v, Draw& draw) { return draw.sign() > 0 ? v : Vec2(v.y(), v.x()); }
 
-// 1 to 2^(1 - n), of either sign.
-double any_halves(int n, Draw& draw) {
-  const double sign = draw.sign();
-  return sign * draw.halves(n);
-}
-
 // In a box about the origin, so that cells meet along both axes: walls and thin ellipses that stay close to an axis
 // and cross it, beside others, which in half of the scenes crowd about the origin.
 Scene along_the_axes(Draw& draw) {
@@ -291,7 +285,7 @@ Scene along_the_axes(Draw& draw) {
   scene.curves.push_back({Circle{{0, 0}, kHalf}, Arc::Extent::whole, {0, 0}, {0, 0}});
   const double size = draw.sign() > 0 ? 1 : 0x1p-6;
   while (scene.walls.size() < 20) {
-    const Vec2 end = either_way({kHalf, any_halves(20, draw)}, draw);
+    const Vec2 end = either_way({kHalf, draw.signed_halves(20)}, draw);
     const Vec2 from = draw.whole_point(-8, 9);
     scene.walls.push_back(draw.sign() > 0 ? Segment{-end, end}
                                           : Segment{from, draw.whole_point(-8, 9)});
@@ -299,7 +293,7 @@ Scene along_the_axes(Draw& draw) {
   while (scene.curves.size() < 40) {
     const Vec2 centre = draw.whole_point(-5, 6);
     const double length = draw.whole(1, 4);
-    const Vec2 along = either_way({length, any_halves(20, draw)}, draw);
+    const Vec2 along = either_way({length, draw.signed_halves(20)}, draw);
     const Ellipse thin{either_way({centre.x(), 0}, draw), along, draw.halves(20) * quarter(along)};
     const Ellipse round = Circle{size * centre, 0.25 * size * draw.whole(1, 8)};
     scene.curves.push_back({draw.below(4) == 0 ? thin : round, Arc::Extent::whole, {0, 0}, {0, 0}});
@@ -309,7 +303,7 @@ Scene along_the_axes(Draw& draw) {
 
 // Most of them towards the axis.
 Ray along_an_axis(const Scene&, Draw& draw) {
-  const double aside = any_halves(60, draw), from = draw.below(256) / 16 - 8;
+  const double aside = draw.signed_halves(60), from = draw.below(256) / 16 - 8;
   const double along = draw.sign(), away = draw.below(4) == 0 ? 1 : -1;
   const double tilt = std::copysign(draw.halves(60), away * aside);
   if (draw.sign() > 0) return {{from, aside}, {along, tilt}};

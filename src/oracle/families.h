@@ -26,6 +26,11 @@ class Draw {
   /// 2^low to 2^(high - 1); 1 to 2^(1 - n).
   double power(int low, int high) { return std::ldexp(1.0, whole(low, high)); }
   double halves(int n) { return std::ldexp(1.0, -whole(0, n)); }
+  /// The same of either sign.
+  double signed_halves(int n) {
+    const double drawn = sign();
+    return drawn * halves(n);
+  }
   /// In the unit square; of whole numbers on [low, high).
   Vec2 point() {
     const double x = unit();

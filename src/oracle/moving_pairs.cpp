@@ -74,8 +74,7 @@ StraightPair offset(Draw& draw) {
 StraightPair near_parallel(Draw& draw) {
   StraightPair pair = whole_pair(draw, 2);
   const Vec2 along = pair.ring_a[1] - pair.ring_a[0];
-  const double sign = draw.sign(), tilt = sign * draw.halves(60);
-  const double other_sign = draw.sign(), other = other_sign * draw.halves(60);
+  const double tilt = draw.signed_halves(60), other = draw.signed_halves(60);
   pair.velocity_a = pair.velocity_b + draw.below(3) * along + Vec2(tilt, other);
   return pair;
 }

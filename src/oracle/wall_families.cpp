@@ -61,7 +61,7 @@ Ray one_ulp_off(const Scene& scene, Draw& draw) {
 Ray near_parallel(const Scene& scene, Draw& draw) {
   const Segment& wall = draw.any(scene.walls);
   const Vec2 e = wall.b - wall.a;
-  const double sign = draw.sign(), tilt = sign * draw.halves(60);
+  const double tilt = draw.signed_halves(60);
   return {wall.a - e, e + tilt * Vec2(-e.y(), e.x())};
 }
 

@@ -46,11 +46,9 @@ TEST(Tracers, AgreeJustBelowTheBorderOfACrowdedCell) {
   expect_all_tiers_exact(c);
 }
 
-// Where a ray runs along the borders of cells, rounding may say that it changes sides anywhere on its
-// way: no wall beside it may be left out, in divided cells neither. Nor may a long wall that it meets
-// late, but that is in the list of its first cell, be taken for the first. Cells meet in the middle,
-// where walls crowd.
-TEST(Tracers, AgreeOnRaysAlongTheBordersOfCells) {
+// A long wall that a ray along a border meets late, but that is in the list of its first cell, must not be taken for
+// the first. Cells meet in the middle, where walls crowd. Along both axes.
+TEST(Tracers, AgreeOnLongWallsAlongTheBordersOfCells) {
   for (const int axis : {0, 1}) {
     Draws draw(18);
     const auto point = [&](double across, double along) {

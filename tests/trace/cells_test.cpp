@@ -200,6 +200,27 @@ TEST(Tracers, AgreeWhereWallsCrowd) {
   }
 }
 
+// Where a ray runs along the borders of cells, rounding may say that it changes sides anywhere on its
+// way: no wall beside it may be left out, in divided cells neither.
+TEST(Tracers, AgreeOnRaysAlongTheBordersOfCells) {
+  Case c = random_case(17, 300, 0.05, 0);
+  for (Segment& s : c.walls.segments)
+    for (Vec2* p : {&s.a, &s.b}) p->x() *= p->x() * p->x();
+  const auto grid = CellGrid::build(c.walls);
+  ASSERT_TRUE(grid);
+  ASSERT_GT(grid->divided(), 0U);
+  Draws draw(18);
+  const Vec2 cell = grid->scale().cwiseInverse(), middle = -grid->place({0, 0}).cwiseProduct(cell);
+  for (int i = 0; i < 400; ++i) {
+    const double column = std::floor(grid->place(draw.point()).x() * 4) / 4;
+    const double tilt = std::ldexp(draw.unit() - 0.5, -static_cast<int>(draw.bits() % 64));
+    const double x = middle.x() + column * cell.x(), turn = i % 2 == 0 ? 1 : -1;
+    c.rays.add({{x, draw.unit()}, {tilt, turn}});
+    c.rays.add({{std::nextafter(x, 2 * draw.unit() - 1), draw.unit()}, {tilt, turn}});
+  }
+  expect_all_tiers_exact(c);
+}
+
 // Some walls many times over, from either end, and walls that only look alike in floats: rays that
 // have left any of them.
 TEST(Tracers, AgreeOnCopiesWhicheverTheRayHasLeft) {

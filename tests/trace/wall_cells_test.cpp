@@ -287,11 +287,10 @@ TEST(CellsOfCurves, HalvesTowardsWhatIsDenormalKeepTheirDirection) {
   Draws draw(8);
   for (const double unit : {1.0, 0x1p-700, 0x1p300})
     for (const int count : {1, 40}) {
+      const int most = unit < 1 ? -360 : -1010;  // its square root, or what doubles hold beside it
       Surfaces walls;
       for (int i = 0; i < count; ++i) {
         const Vec2 centre = unit * draw.point();
-        const int most =
-            unit < 1 ? -360 : -1010;  // its square root, or what doubles hold beside it
         const Vec2 way = 2 * draw.point() - Vec2(1, 1);
         const Vec2 towards = std::ldexp(1.0, most - static_cast<int>(draw.bits() % 20)) * way;
         walls.add(Arc{Circle{centre, 0.2 * unit}, Arc::Extent::half, towards, {0, 0}});
