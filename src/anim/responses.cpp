@@ -1,6 +1,7 @@
 #include "anim/responses.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flatray {
 
@@ -13,6 +14,11 @@ const Stage& stage_at(std::span<const Stage> stages, double time) {
 Vec2 place_at(std::span<const Stage> stages, double time) {
   const Stage& stage = stage_at(stages, time);
   return stage.at + (time - stage.from) * stage.velocity;
+}
+
+Vec2 sizes_of_place(const Stage& stage, double time) {
+  return stage.at.cwiseAbs() +
+         (std::fabs(time) + std::fabs(stage.from)) * stage.velocity.cwiseAbs();
 }
 
 }  // namespace flatray

@@ -33,5 +33,7 @@ const Stage& stage_at(std::span<const Stage> stages, double time);
 
 /// Where a body is at a time.
 Vec2 place_at(std::span<const Stage> stages, double time);
+/// The sizes of what a place on a stage adds up: rounding moves the place by at most 2^-51 of them.
+Vec2 sizes_of_place(const Stage& stage, double time);
 
 }  // namespace flatray

@@ -62,7 +62,7 @@ void add_follow(const Scene& scene, const Follow& follow, double from, double to
   const auto way = [&](double time) { return way_gone(follow, time); };
   const double middle = way(from + 0.5 * (to - from)), whole = path.lengths.back();
   const PathPoint point = point_at(path, middle);
-  const Vec2 forward = point.direction.stableNormalized();
+  const Vec2 forward = unit(point.direction);
   const bool stands = !path.closed && (middle <= 0 || middle >= whole);
   const Vec2 pace = stands ? Vec2(0, 0) : forward;
   const auto there = [&](double t) { return Vec2(point.at + (way(t) - middle) * pace); };

@@ -10,16 +10,10 @@
 namespace flatray {
 namespace {
 
-// As stableNorm, in a third of the time.
-double length_of(const Vec2& v) {
-  const double most = v.cwiseAbs().maxCoeff();
-  return most > 0 && most < kInfinity ? most * (v / most).norm() : most;
-}
-
 double radius_of(const SimulatedBody& body) {
   double radius = 0;
   for (const ShapePart& part : body.parts)
-    for (const Vec2& p : part.ring) radius = std::max(radius, length_of(p) + part.radius);
+    for (const Vec2& p : part.ring) radius = std::max(radius, size_of(p) + part.radius);
   return radius * (1 + 0x1p-40);
 }
 
@@ -90,17 +84,19 @@ bool BodyPairs::overlap(const IndexPair& pair, double time) const {
 std::optional<double> BodyPairs::least_wait(const IndexPair& pair, double time, double end) const {
   constexpr double kSlack = 0x1p-30, kSmall = 0x1p-900;  // below, lengths have few digits
   const auto [i, k] = pair;
-  const Vec2 at_i = place(i, time), at_k = place(k, time), from = at_k - at_i;
-  const double distance = length_of(from);
-  const double reach = (radii_[i] + radii_[k] + 2 * distance) * kSlack + radii_[i] + radii_[k] +
-                       0x1p-50 * (length_of(at_i) + length_of(at_k));
+  const Vec2 from = place(k, time) - place(i, time);
+  const double distance = size_of(from);
+  const double sizes =
+      sizes_of_place(stages_[i].back(), time).sum() + sizes_of_place(stages_[k].back(), time).sum();
+  const double reach =
+      (radii_[i] + radii_[k] + 2 * distance) * kSlack + radii_[i] + radii_[k] + 0x1p-49 * sizes;
   if (!(distance > reach)) return 0;
   const Vec2 way = stages_[k].back().velocity - stages_[i].back().velocity;
-  const double speed = length_of(way);
-  if (distance < kSmall || (speed > 0 && speed < kSmall)) return 0;
+  const double speed = size_of(way);
+  if (distance < kSmall || (speed > 0 && speed < kSmall) || !(speed < kInfinity)) return 0;
   const double ahead = speed > 0 ? -(way / speed).dot(from) : 0;
   if (!(ahead > 0)) return std::nullopt;
-  const double beside = length_of(from + ahead * (way / speed));
+  const double beside = size_of(from + ahead * (way / speed));
   if (beside > reach) return std::nullopt;
   const double inside = beside / reach, soonest = ahead - reach * std::sqrt(1 - inside * inside);
   const double wait = (soonest - kSlack * distance) / speed * (1 - kSlack);

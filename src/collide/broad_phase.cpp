@@ -100,9 +100,10 @@ Bounds swept(const Bounds& box, const Vec2& velocity, double length) {
   Bounds all = box;
   const Vec2 way = velocity * length;
   all.add(Bounds{box.low + way, box.high + way});
-  // A product and a sum, each off by half an ulp of what goes in.
-  constexpr double kUlps = 0x1p-51;
-  const Vec2 room = kUlps * (all.low.cwiseAbs().cwiseMax(all.high.cwiseAbs()) + way.cwiseAbs());
+  // A product and a sum, each off by half an ulp of what goes in, or of the least double.
+  constexpr double kUlps = 0x1p-51, kLeast = 0x1p-1060;
+  const Vec2 sizes = all.low.cwiseAbs().cwiseMax(all.high.cwiseAbs()) + way.cwiseAbs();
+  const Vec2 room = kUlps * sizes + Vec2::Constant(kLeast);
   all.low -= room;
   all.high += room;
   return all;

@@ -14,10 +14,6 @@ const Vec2& vertex(const MovingBody& body, int k) {
   return body.vertices[static_cast<std::size_t>(k)];
 }
 
-// Of length 1, of differences that are hardly doubles too.
-Vec2 unit(const Vec2& v) {
-  return (v.cwiseAbs().maxCoeff() < 0x1p-900 ? Vec2(0x1p900 * v) : v).stableNormalized();
-}
 Vec2 turned_right(const Vec2& along) { return unit({along.y(), -along.x()}); }
 
 // Of an edge of positive length; of a core without area any tells the line.

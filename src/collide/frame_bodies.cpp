@@ -50,6 +50,7 @@ FrameBodies::FrameBodies(const Timeline& timeline, Outline outline, unsigned fra
     CarriedShape carried{shape(i), {}};
     if (goes_straight_[i]) carried.way = motion_.between(i, std::nullopt, frame_, from_, to_);
     goes_straight_[i] = goes_straight_[i] && carried.goes_straight();
+    doubts_.push_back(carried.way.motion.doubt);
     straight_.push_back(
         {shape(i), pose(now[i].at, carried.way.motion.angle.c[0], scale), next[i].at - now[i].at});
   }
@@ -66,6 +67,10 @@ std::vector<Bounds> FrameBodies::boxes() const {
     boxes.push_back(goes_straight_[i]
                         ? swept(shape_bounds(*body.shape, body.place), body.velocity, 1)
                         : box_of(i));
+    if (goes_straight_[i] && !boxes.back().empty()) {
+      const Vec2 room(doubts_[i], doubts_[i]);
+      boxes.back() = {boxes.back().low - room, boxes.back().high + room};
+    }
   }
   return boxes;
 }
@@ -108,7 +113,7 @@ std::vector<MeetingPart> FrameBodies::meet(const IndexPair& pair) const {
       if (top) {
         const Pose place = group_poses(scene_, part.times.low)[*top].pose;
         part.point = place(part.point);
-        part.normal = place.turned(part.normal).stableNormalized();
+        part.normal = unit(place.turned(part.normal));
       }
       met.push_back(part);
     }

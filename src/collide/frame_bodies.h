@@ -40,6 +40,7 @@ class FrameBodies {
   const std::span<const EntityState> now_;
   std::vector<MovingShape> straight_;
   std::vector<bool> goes_straight_;
+  std::vector<double> doubts_;  // by how far rounding may have moved what goes straight
 };
 
 }  // namespace flatray

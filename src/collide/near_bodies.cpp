@@ -20,9 +20,7 @@ Bounds NearBodies::way_of(std::uint32_t body, const Stage& stage, double from) c
   if (stage.gone || shape.empty()) return {};
   constexpr double kSlack = 0x1p-46;
   const Vec2 at = stage.at + (from - stage.from) * stage.velocity;
-  const Vec2 speed = stage.velocity.cwiseAbs();
-  const Vec2 sizes = stage.at.cwiseAbs() + (std::fabs(to_) + std::fabs(from)) * speed +
-                     shape.low.cwiseAbs() + shape.high.cwiseAbs();
+  const Vec2 sizes = sizes_of_place(stage, to_) + shape.low.cwiseAbs() + shape.high.cwiseAbs();
   Bounds way = swept({at + shape.low, at + shape.high}, stage.velocity, to_ - from);
   const Vec2 slack =
       kSlack * sizes + Vec2::Constant(0x1p-1060);  // that of rounding to what is hardly a double

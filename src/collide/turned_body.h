@@ -32,7 +32,7 @@ class TurnedBody {
       local_.push_back(scale * body.ring[i]);
     for (std::size_t i = 0; local_.size() > 1 && i < local_.size(); ++i) {
       const Vec2 along = local_[i + 1 == local_.size() ? 0 : i + 1] - local_[i];
-      local_normals_.push_back(Vec2(along.y(), -along.x()).stableNormalized());
+      local_normals_.push_back(unit({along.y(), -along.x()}));
     }
     for (const Vec2& p : local_) reach = std::max(reach, kUp * length_of(p));
     arms.resize(local_.size());

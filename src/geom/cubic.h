@@ -8,7 +8,6 @@
 namespace flatray {
 
 inline double size_of(double x) { return std::fabs(x); }
-inline double size_of(const Vec2& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); }
 inline bool is_zero(double x) { return x == 0; }
 
 /// A number or a place over time: c[0] + c[1] t + c[2] t^2 + c[3] t^3.

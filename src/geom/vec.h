@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 
 namespace flatray {
 
@@ -15,5 +16,21 @@ inline bool is_before(const Vec2& a, const Vec2& b) {
 }
 
 inline bool is_zero(const Vec2& v) { return v.x() == 0 && v.y() == 0; }
+
+/// The length of a vector of any size; rounded.
+inline double size_of(const Vec2& v) {
+  const double most = v.cwiseAbs().maxCoeff();
+  if (most > 0x1p-500 && most < 0x1p500) return v.norm();
+  return most > 0 && most < std::numeric_limits<double>::infinity() ? most * (v / most).norm()
+                                                                    : most;
+}
+
+/// A vector of any size brought to length 1, that of 0 as it is; rounded.
+inline Vec2 unit(const Vec2& v) {
+  const double most = v.cwiseAbs().maxCoeff();
+  const double scale = most < 0x1p-400 ? 0x1p600 : most > 0x1p400 ? 0x1p-600 : 1;
+  const Vec2 tame = scale * v;
+  return most > 0 ? Vec2(tame / tame.norm()) : v;
+}
 
 }  // namespace flatray

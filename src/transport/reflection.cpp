@@ -12,10 +12,6 @@ namespace {
 
 int exponent_of(const Vec2& v) { return std::ilogb(std::max(std::fabs(v.x()), std::fabs(v.y()))); }
 
-Vec2 scaled(const Vec2& v, int exponent) {
-  return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent)};
-}
-
 // A normal of a wall as it was met: to the left of a segment, or outward of a circle.
 struct Met {
   std::uint32_t surface;
@@ -43,13 +39,6 @@ std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const
 }
 
 }  // namespace
-
-Vec2 unit(const Vec2& v) {
-  const double size = v.cwiseAbs().maxCoeff();
-  const bool usual = size > 0x1p-400 && size < 0x1p400;  // scaling would change no bit
-  const Vec2 near_one = usual ? v : scaled(v, -exponent_of(v));
-  return near_one / std::sqrt(near_one.x() * near_one.x() + near_one.y() * near_one.y());
-}
 
 Speed::Speed(const Vec2& start)
     : exponent_(exponent_of(start)),

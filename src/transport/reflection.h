@@ -9,9 +9,6 @@
 
 namespace flatray {
 
-/// v at length 1, without overflow or underflow on the way. Needs v != 0.
-Vec2 unit(const Vec2& v);
-
 /// Length of a direction, kept over any number of reflections.
 class Speed {
  public:

@@ -63,6 +63,35 @@ TEST(Carried, ATipOnAnArmMeetsAPostAtEveryFrameRate) {
 
 // Groups in groups, at different speeds one against the other: the tip's place is 6 e^(i pi t) + 4
 // e^(-i pi t) + 1 e^(i 2 pi t), which is (8, 2) + ... at t = 1/4 to the last digit known.
+TEST(Carried, ATipOnAnArmMeetsAPostAtEverySize) {
+  for (const double size : {1e-300, 1e-200, 1e-163, 1e-161, 1.0, 1e120}) {
+    SCOPED_TRACE(size);
+    const double across = 7.0710678118654755 * size;
+    const std::string things = fmt::format(
+        "[[group]]\nname = \"arm\"\nangular_velocity = 180\n"
+        "[[entity]]\nname = \"tip\"\ngroup = \"arm\"\nat = [{}, 0]\n"
+        "shape = {{ circle = {{ radius = {} }} }}\n"
+        "[[entity]]\nname = \"post\"\nat = [{}, {}]\n"
+        "shape = {{ circle = {{ radius = {} }} }}\n",
+        10 * size, 0.5 * size, across, across, 0.5 * size);
+    expect_first(meetings(scene_text(1, 4, things)), 0.25 - 2 * std::asin(0.05) / kPi);
+  }
+}
+
+// Two hands whose places cancel: by what its frames show it goes below what it meets.
+TEST(Carried, WhatRoundingMayHaveMovedIsLookedAt) {
+  const std::vector<Meeting> met =
+      meetings(scene_text(1, 1,
+                          "[[group]]\nname = \"far\"\nat = [0, 1e17]\n"
+                          "[[group]]\nname = \"above\"\ngroup = \"far\"\nat = [0, 0.75]\n"
+                          "[[entity]]\ngroup = \"above\"\nat = [-5, -1e17]\nvelocity = [10, 0]\n"
+                          "shape = { circle = { radius = 0.1 } }\n"
+                          "[[entity]]\nat = [0, 0.75]\nangular_velocity = 90\n"
+                          "shape = { segment = { from = [-0.2, 0], to = [0.2, 0] } }\n"));
+  ASSERT_EQ(met.size(), 1U);
+  EXPECT_FALSE(met[0].part.certain);
+}
+
 TEST(Carried, WhatGroupsInGroupsCarryMeetsOnItsTrueWay) {
   const double s = std::sqrt(0.5);
   const Vec2 tip(10 * s, 2 * s + 1);  // at t = 1/4

@@ -153,6 +153,15 @@ TEST(Meetings, WhatRestsMeetsNothingThatRests) {
   EXPECT_TRUE(find_meetings(Timeline(scene, 0, 10), 10).value().empty());
 }
 
+TEST(BroadPhase, AWayOfAFewLeastDoublesIsInItsBox) {
+  const double least = 0x1p-1074;
+  for (const int way : {1, 3, 5, 7}) {
+    const Bounds box = swept({{0, 0}, {0, 0}}, {way * least, -way * least}, 0.5);
+    EXPECT_GT(2 * box.high.x(), way * least);
+    EXPECT_LT(2 * box.low.y(), -way * least);
+  }
+}
+
 TEST(BroadPhase, FindsThePairsThatTestingAllFinds) {
   oracle::Draw draw(3, 41, 0);
   std::vector<Bounds> boxes(200);

@@ -3,14 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "oracle/families.h"
+#include "simulated_bodies.h"
 
 namespace flatray {
 namespace {
 
 using oracle::Draw;
+using testing::disc;
 using Pairs = std::set<IndexPair>;
 
 struct World {
@@ -69,6 +72,37 @@ TEST(NearBodies, AChangedWayIsMetAndWhatIsGoneIsNot) {
   found.clear();
   near.each_near(0, [&](std::uint32_t k) { found.push_back(k); });
   EXPECT_TRUE(found.empty());
+}
+
+// Both graze at a time at which the places of both are known to no more than how deep.
+TEST(NearBodies, WhatFliesFarMeetsByEitherSearch) {
+  std::size_t met = 0;
+  for (std::uint64_t item = 0; item < 400; ++item) {
+    Draw draw(31, 2, item);
+    const double heading = 2 * std::numbers::pi * draw.unit(),
+                 turned = 2 * std::numbers::pi * draw.unit();
+    const double far = 0x1p33 * (1 + draw.unit()), time = 1 + draw.unit();
+    const double depth = 0x1p-19 * draw.unit();
+    const Vec2 ahead(std::cos(heading), std::sin(heading));
+    const Vec2 along(std::cos(turned), std::sin(turned));
+    const Vec2 across(-along.y(), along.x());
+    const Vec2 velocity = far * ahead, at = -time * velocity;
+    const Vec2 other = at + (2 - depth) * across - time * along;
+    const SimulatedBody bodies[] = {disc(at, 1, velocity), disc(other, 1, velocity + along)};
+    const Simulation all = simulate(bodies, 4, 10, PairSearch::all);
+    const Simulation near = simulate(bodies, 4, 10, PairSearch::near);
+    ASSERT_EQ(near.events.size(), all.events.size()) << item;
+    met += all.events.size();
+  }
+  EXPECT_GT(met, 100U);
+}
+
+TEST(NearBodies, WhatComesNearerFasterThanAnyDoubleMeetsByEitherSearch) {
+  const double far = 1e307, fast = 1e308;
+  const SimulatedBody bodies[] = {disc({-far, 0}, 1e300, {fast, 0}),
+                                  disc({far, 0}, 1e300, {-fast, 0})};
+  for (const PairSearch search : {PairSearch::all, PairSearch::near})
+    EXPECT_EQ(simulate(bodies, 1, 10, search).events.size(), 1U);
 }
 
 }  // namespace

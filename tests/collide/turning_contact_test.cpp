@@ -65,6 +65,20 @@ TEST(TurningContact, AHandMeetsAShelf) {
   EXPECT_EQ(turning_contact(a, b, 1, kWidth, true).first.high, 1);
 }
 
+// A side as long as a few of the least doubles has a direction as any other. When the disc meets the
+// triangle, which hardly turns, was found by bisection in many bits.
+TEST(TurningContact, ASideOfDenormalLengthHasItsNormal) {
+  for (const double least : {0x1p-1074, 0x1p-1072, 0x1p-1064}) {
+    const std::vector<Vec2> triangle = {{0, 0}, {2 * least, 2 * least}, {-1, 1}}, centre = {{0, 0}};
+    const TurningBody a{triangle, 0, even_motion({0, 0}, {0, 0}, 0, 0x1p-20)};
+    const TurningBody b{centre, 1, even_motion({2, -2}, {-1.5, 1.5}, 0, 0)};
+    const TurningContact met = turning_contact(a, b, 1, kWidth);
+    ASSERT_EQ(met.verdict, Verdict::meets);
+    EXPECT_LE(met.first.low, 0.86192881255);
+    EXPECT_GE(met.first.high, 0.86192881254);
+  }
+}
+
 // Without spins it is what contact() tells.
 TEST(TurningContact, HoldsTheTimeOfStraightMotion) {
   for (std::uint64_t item = 0; item < 300; ++item) {

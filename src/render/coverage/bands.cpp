@@ -17,15 +17,22 @@ Bounds region_bounds(const FillPath& path) {
   return bounds;
 }
 
+// For rounding: a pixel, and more for what goes far beyond the film.
+double margin(const Vec2& sizes) { return std::max(1.0, 0x1p-46 * sizes.maxCoeff()); }
+
 Bounds region_bounds(const FillRing& ring) {
-  const Vec2 reach(ring.radius + 1, ring.radius + 1);  // a pixel of margin for rounding
+  const double room = margin(ring.centre.cwiseAbs() + Vec2::Constant(ring.radius));
+  const Vec2 reach = Vec2::Constant(ring.radius + room);
   return {ring.centre - reach, ring.centre + reach};
 }
 
 Bounds region_bounds(const FillArcs& arcs) {
   const Bounds bounds = path_bounds(arcs.path);
-  const Vec2 margin(1, 1);
-  return {bounds.low - margin, bounds.high + margin};
+  Vec2 sizes(0, 0);
+  for (const EllipseArc& arc : arcs.path.arcs)
+    sizes = sizes.cwiseMax(arc.centre.cwiseAbs() + arc.u.cwiseAbs() + arc.v.cwiseAbs());
+  const Vec2 room = Vec2::Constant(margin(sizes));
+  return {bounds.low - room, bounds.high + room};
 }
 
 bool same(const std::shared_ptr<const LightPicture>& a,

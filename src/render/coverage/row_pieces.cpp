@@ -20,7 +20,7 @@ struct Columns {
   explicit Columns(double x) : right(floor_column(x)), left(right - (x > right ? 0 : 1)) {}
 };
 
-// Whether x is right to 2^-32.
+// Whether x is right to 2^-28 but near the upper and lower end of a curve.
 bool is_near_film(const ScanEdge& e) {
   const auto near = [](double v) { return std::abs(v) <= 0x1p16; };
   return near(e.x_top) && near(e.x_bottom) && near(e.y_top) && near(e.y_bottom) &&
@@ -48,8 +48,9 @@ inline RowCut& RowCutter::add_cut(const ScanEdge& e, int row, int low, int high)
 }
 
 void RowCutter::cut(const ScanEdge& edge, const PixelBox& rows) {
-  if (std::min(edge.x_top, edge.x_bottom) >= box_.right() || edge.y_top >= rows.bottom() ||
-      edge.y_bottom <= rows.y)
+  const double rounding = edge.curve == nullptr ? 0 : edge.curve->rounding;
+  if (std::min(edge.x_top, edge.x_bottom) - rounding >= box_.right() ||
+      edge.y_top - rounding >= rows.bottom() || edge.y_bottom + rounding <= rows.y)
     return;
   if (coverage_ == Coverage::area)
     cut_area(edge, rows);
@@ -95,15 +96,19 @@ void RowCutter::cut_area(const ScanEdge& e, const PixelBox& rows) {
 }
 
 void RowCutter::cut_centres(const ScanEdge& e, const PixelBox& rows) {
-  constexpr double kDoubt = 0x1p-20;
+  constexpr double kDoubt = 0x1p-20, kLevel = 0x1p-10;
   const bool near_film = is_near_film(e);
-  const int begin = std::max(ceil_column(e.y_top - 0.5), rows.y);
-  const int end = std::min(ceil_column(e.y_bottom - 0.5), rows.bottom());
+  const double above = e.curve == nullptr ? 0 : e.curve->above;
+  const double below = e.curve == nullptr ? 0 : e.curve->below;
+  const int begin = std::max(ceil_column(e.y_top - above - 0.5), rows.y);
+  const int end = std::min(ceil_column(e.y_bottom + below - 0.5), rows.bottom());
   for (int row = begin; row < end; ++row) {
-    const double x = e.x_at(row + 0.5) - 0.5;
+    const double y = row + 0.5, x = e.x_at(y) - 0.5;
     int column = ceil_column(x);
-    if (const double beyond = column - x; !near_film || !(beyond > kDoubt && beyond < 1 - kDoubt))
-      column = first_centre(e, x, row + 0.5, near_film);
+    const double beyond = column - x;
+    const bool level = e.curve != nullptr && !(e.curve->x.inside(y - e.y_ref) > kLevel);
+    if (!near_film || level || !(beyond > kDoubt && beyond < 1 - kDoubt))
+      column = first_centre(e, x, y, near_film);
     column = std::max(column, box_.x);
     if (column < box_.right()) add_cut(e, row, column, column - 1);
   }
@@ -168,11 +173,11 @@ void RowCutter::add_pieces(const RowCut& cut, int row, int column, std::vector<P
 }
 
 // The first column, from the one left of the box to the one right of it, whose centre lies on the
-// edge or right of it. Needs   x, the edge there, from centres.
+// edge or right of it. Needs   x, the edge there, from centres, near the film right to 2^-8.
 int RowCutter::first_centre(const ScanEdge& e, double x, double y, bool near_film) const {
   const double nearest = std::nearbyint(x);
   int low = box_.x - 1, high = box_.right();
-  if (e.curve != nullptr || near_film) {
+  if (near_film) {
     low = std::clamp(floor_column(nearest) - 1, low, high);
     high = std::clamp(floor_column(nearest) + 1, low, high);
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "geom/decide.h"
 #include "geom/exact.h"
 
 namespace flatray {
@@ -65,12 +66,22 @@ void straighten(ScanEdge& e, const Vec2& a, const Vec2& b, const Vec2& middle) {
   }
 }
 
+// The middles of an ellipse's level chords lie on a line through its centre.
+bool is_on_right_half(const Vec2& p, const Ellipse& ellipse) {
+  if (ellipse.is_circle()) return p.x() >= ellipse.centre.x();
+  return decide([&](const auto& number) {
+           const auto u = pair_of(number, ellipse.u), v = pair_of(number, ellipse.v);
+           const auto w = pair_of(number, p) - pair_of(number, ellipse.centre);
+           return w.x * (u.y * u.y + v.y * v.y) - w.y * (u.x * u.y + v.x * v.y);
+         }) != Sign::negative;
+}
+
 }  // namespace
 
 // The differences do not cancel near the ends, and no square overflows.
 double EdgeCurve::Branch::at(double d) const {
-  const double inside = ((half - d) * inverse) * ((half + d) * inverse);
-  return shear * d + (inside > 0 ? reach * std::sqrt(inside) : 0);
+  const double left = inside(d);
+  return shear * d + (left > 0 ? reach * std::sqrt(left) : 0);
 }
 
 EdgeCurve::EdgeCurve(const EllipseArc& arc, const MonotoneArc& part)
@@ -89,6 +100,7 @@ EdgeCurve::EdgeCurve(const EllipseArc& arc, const MonotoneArc& part)
   const auto branch = [&](double squares, double way, double half) {
     return Branch{product / squares, way * area / half / scale, half / scale, scale / half};
   };
+  rounding = 0x1p-46 * (arc.centre.cwiseAbs().maxCoeff() + 2 * size);
   x = branch(squares_y, side, h);
   y = branch(squares_x, far, w);
 }
@@ -104,7 +116,7 @@ double EdgeCurve::bow(double dx, double dy) const {
 bool ScanEdge::has_on_right(double x, double y) const {
   if (curve == nullptr)
     return orientation({x_top, y_top}, {x_bottom, y_bottom}, {x, y}) != Sign::positive;
-  const bool right_half = x >= x_ref + curve->x.shear * (y - y_ref);
+  const bool right_half = is_on_right_half({x, y}, curve->ellipse);
   const Sign outside = curve_side({x, y}, curve->ellipse);
   return curve->side > 0 ? right_half && outside != Sign::negative
                          : right_half || outside != Sign::positive;
@@ -132,15 +144,32 @@ void ScanEdges::add(const FillArcs& region) {
 }
 
 void ScanEdges::add(const EllipseArc& arc) {
-  for (const MonotoneArc& part : monotone_parts(arc)) {
-    add(Segment{part.a, part.b});
-    const Vec2 step = part.b - part.a;
-    if (cross(arc.u, arc.v) == 0 || step.x() == 0 || step.y() == 0) continue;
-    ScanEdge& edge = edges_.back();
-    edge.curve = &curves_.emplace_back(arc, part);
-    edge.x_ref = arc.centre.x();
-    edge.y_ref = arc.centre.y();
+  const std::size_t first = edges_.size();
+  std::vector<EdgeCurve*> curves;
+  for (const MonotoneArc& part : monotone_parts(arc)) curves.push_back(add_part(arc, part));
+  // Where it turns back both parts go on alike.
+  const std::size_t count = curves.size(), joints = arc.is_whole() ? count : count - 1;
+  for (std::size_t i = 0; count > 0 && i < joints; ++i) {
+    const std::size_t next = i + 1 == count ? 0 : i + 1;
+    const int down = edges_[first + i].direction;
+    if (curves[i] == nullptr || curves[next] == nullptr || down == edges_[first + next].direction)
+      continue;
+    for (EdgeCurve* curve : {curves[i], curves[next]})
+      (down > 0 ? curve->below : curve->above) = curve->rounding;
   }
+}
+
+// Null where it is straight.
+EdgeCurve* ScanEdges::add_part(const EllipseArc& arc, const MonotoneArc& part) {
+  add(Segment{part.a, part.b});
+  const Vec2 step = part.b - part.a;
+  if (cross(arc.u, arc.v) == 0 || step.x() == 0 || step.y() == 0) return nullptr;
+  ScanEdge& edge = edges_.back();
+  EdgeCurve& curve = curves_.emplace_back(arc, part);
+  edge.curve = &curve;
+  edge.x_ref = arc.centre.x();
+  edge.y_ref = arc.centre.y();
+  return &curve;
 }
 
 }  // namespace flatray

@@ -19,11 +19,16 @@ struct EdgeCurve {
   struct Branch {
     double shear = 0, reach = 0, half = 0, inverse = 0;  ///< 1 / half
     double at(double d) const;
+    /// By how much d^2 is below half^2, of that: `at` is off by reach 2^-50 over its root.
+    double inside(double d) const { return ((half - d) * inverse) * ((half + d) * inverse); }
   };
   Ellipse ellipse;
   Branch x, y;
   double det = 0;   ///< u x v
   double side = 0;  ///< +1 on the right half of the ellipse, else -1
+  /// By how far rounding may have moved its ends; how far it may then go beyond them, at those where it
+  /// turns back as another edge's curve.
+  double rounding = 0, above = 0, below = 0;
 
   EdgeCurve(const EllipseArc& arc, const MonotoneArc& part);
   /// Area by which the curve has more on its right than the chord between two points of it.
@@ -48,7 +53,7 @@ struct ScanEdge {
   double x_at(double y) const;
   double y_at(double x) const;
   /// Whether the point lies on the edge or right of it. Exact for straight edges and for whole
-  /// ellipses. Needs y between the ends; of a curve x next to it.
+  /// ellipses. Needs y between the ends.
   bool has_on_right(double x, double y) const;
 };
 
@@ -69,6 +74,7 @@ class ScanEdges {
 
  private:
   void add(const EllipseArc& arc);
+  EdgeCurve* add_part(const EllipseArc& arc, const MonotoneArc& part);
 
   Vec2 middle_;
   std::vector<ScanEdge> edges_;

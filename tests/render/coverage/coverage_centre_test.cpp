@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "oracle/families.h"
 #include "render/coverage_families.h"
 
 namespace flatray {
@@ -12,6 +15,7 @@ using coverage_check::kFrame;
 using coverage_check::make_region;
 using coverage_check::RegionCase;
 using coverage_check::steps_of;
+using oracle::Draw;
 using Steps = std::vector<std::uint32_t>;
 
 std::size_t count_full(const Steps& steps) {
@@ -89,6 +93,75 @@ TEST(CentreCoverage, ACircleThroughCentresGivesThemToTheSideOnTheirRight) {
   EXPECT_EQ(disc + rest, 121U);
   EXPECT_EQ(disc,
             69U + 5U);  // 69 strictly inside; of the twelve, the left half and no top or bottom
+}
+
+// Positive outside the ellipse, zero on it.
+Sign power(const EllipseArc& ellipse, const Vec2& p) {
+  using Exact = Rational;
+  const auto cross = [](const Exact& ax, const Exact& ay, const Exact& bx, const Exact& by) {
+    return ax * by - ay * bx;
+  };
+  const Exact ux(ellipse.u.x()), uy(ellipse.u.y()), vx(ellipse.v.x()), vy(ellipse.v.y());
+  const Exact wx = Exact(p.x()) - Exact(ellipse.centre.x());
+  const Exact wy = Exact(p.y()) - Exact(ellipse.centre.y());
+  const Exact a = cross(wx, wy, vx, vy), b = cross(ux, uy, wx, wy), size = cross(ux, uy, vx, vy);
+  return (a * a + b * b - size * size).sign();
+}
+
+// Ellipses whose upper or lower end lies near a pixel's centre, as far as rounding lets it.
+EllipseArc with_an_end_near(const Vec2& centre, bool round, Draw& draw) {
+  const double size = std::ldexp(1 + draw.unit(), draw.whole(-2, 60));
+  const double reach = draw.sign() > 0 ? 3 : 0x1p-10;
+  const double aside = reach * (2 * draw.unit() - 1), over = draw.sign();
+  const double slant = round ? 0 : draw.unit() - 0.5, flat = round ? 1 : 0.1 + draw.unit();
+  EllipseArc ellipse{{0, 0}, {size, slant * size}, {0, flat * size}};
+  const double height = round ? size : std::hypot(ellipse.u.y(), ellipse.v.y());
+  const double end = ellipse.u.x() * ellipse.u.y() / height;
+  const double sag = 0.5 * aside * aside * flat * flat / size;
+  ellipse.centre = centre + Vec2(aside - over * end, -over * (height - sag));
+  return ellipse;
+}
+
+// A long thin ellipse, from anywhere of its middle line.
+EllipseArc needle_through(const Vec2& centre, Draw& draw) {
+  const double length = std::ldexp(1 + draw.unit(), draw.whole(5, 60)), from = draw.unit() - 0.5;
+  const double slope = 2 * (draw.unit() - 0.5), width = 1 + 3 * draw.unit();
+  const Vec2 u(length, slope * length);
+  return {centre - from * u, u, {0, width}};
+}
+
+void expect_exact(const EllipseArc& ellipse, bool round) {
+  const PixelBox box{100, 100, 8, 8};
+  const Steps steps = round
+                          ? steps_of(FillRing{ellipse.centre, ellipse.u.x()}, box, Coverage::centre)
+                          : steps_of(FillArcs{{{ellipse}, true}}, box, Coverage::centre);
+  for (int row = box.y; row < box.bottom(); ++row)
+    for (int column = box.x; column < box.right(); ++column) {
+      const Sign outside = power(ellipse, Vec2(column + 0.5, row + 0.5));
+      if (outside == Sign::zero) continue;
+      const auto at = static_cast<std::size_t>((row - box.y) * box.width + column - box.x);
+      ASSERT_EQ(steps[at], outside == Sign::negative ? kFullCoverage : 0U)
+          << '(' << column << ", " << row << ')';
+    }
+}
+
+TEST(CentreCoverage, EndsOfEllipsesOfAnySizeAreExact) {
+  for (std::uint64_t item = 0; item < 3000; ++item) {
+    SCOPED_TRACE(item);
+    Draw draw(17, 3, item);
+    const Vec2 centre = Vec2(0.5, 0.5) + draw.whole_point(103, 106);
+    const bool round = item % 2 == 0;
+    ASSERT_NO_FATAL_FAILURE(expect_exact(with_an_end_near(centre, round, draw), round));
+  }
+}
+
+TEST(CentreCoverage, NeedlesOfAnyLengthAreExact) {
+  for (std::uint64_t item = 0; item < 1000; ++item) {
+    SCOPED_TRACE(item);
+    Draw draw(17, 4, item);
+    const Vec2 centre = Vec2(0.5, 0.5) + draw.whole_point(101, 107);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(needle_through(centre, draw), false));
+  }
 }
 
 }  // namespace
