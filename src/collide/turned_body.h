@@ -14,7 +14,6 @@ namespace flatray {
 inline constexpr double kUp = 1 + 0x1p-40, kDown = 1 - 0x1p-40;
 
 inline double dot(const Vec2& p, const Vec2& q) { return p.x() * q.x() + p.y() * q.y(); }
-inline double length_of(const Vec2& v) { return std::sqrt(dot(v, v)); }
 inline Vec2 turned_by(double c, double s, const Vec2& p) {
   return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
 }
@@ -34,7 +33,7 @@ class TurnedBody {
       const Vec2 along = local_[i + 1 == local_.size() ? 0 : i + 1] - local_[i];
       local_normals_.push_back(unit({along.y(), -along.x()}));
     }
-    for (const Vec2& p : local_) reach = std::max(reach, kUp * length_of(p));
+    for (const Vec2& p : local_) reach = std::max(reach, kUp * size_of(p));
     arms.resize(local_.size());
     points.resize(local_.size());
     normals.resize(local_normals_.size());

@@ -98,7 +98,7 @@ double TurningPair::positive_for(double gap, double slope, const Errors& errors)
 // The distance of two points in straight motion is convex: only how they leave it counts.
 double TurningPair::apart_by_centres() const {
   const Vec2 from = b_.centre - a_.centre;
-  const double distance = length_of(from);
+  const double distance = size_of(from);
   if (!(distance > 0)) return 0;
   return positive_for(distance - kUp * (a_.reach + b_.reach + radii_),
                       dot(from, b_.velocity - a_.velocity) / distance,
@@ -138,7 +138,7 @@ double TurningPair::apart_by_vertices() const {
   double nearest = kInfinity;
   for (const Vec2& p : a_.points)
     for (const Vec2& q : b_.points)
-      if (const double distance = length_of(q - p); distance < nearest) {
+      if (const double distance = size_of(q - p); distance < nearest) {
         nearest = distance;
         from = q - p;
       }
@@ -183,7 +183,7 @@ double TurningPair::vertex_distance(const TurnedBody& vertices, const TurnedBody
     const double squared = dot(along, along);
     for (const Vec2& p : vertices.points) {
       const double part = squared > 0 ? std::clamp(dot(p - start, along) / squared, 0.0, 1.0) : 0.0;
-      least = std::min(least, length_of(p - start - part * along));
+      least = std::min(least, size_of(p - start - part * along));
     }
   }
   return least;
