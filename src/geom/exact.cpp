@@ -288,7 +288,7 @@ double Rational::nearest() const {
   if (sign() == Sign::zero) return 0;
   if (sign() == Sign::positive) return nearest_positive(value(storage_));
   const Rational opposite = -*this;
-  return -nearest_positive(value(opposite.storage_));
+  return 0.0 - nearest_positive(value(opposite.storage_));
 }
 
 Rational Rational::floor() const {

@@ -41,7 +41,7 @@ class Rational {
   std::strong_ordering operator<=>(const Rational& b) const;
   bool operator==(const Rational& b) const;
 
-  /// Nearest double, halves to even; beyond the doubles +-infinity. Subnormals rounded once.
+  /// Nearest double, halves to even; beyond the doubles +-infinity. Subnormals rounded once. Never -0.
   double nearest() const;
   /// Largest integer not above it, as a Rational.
   Rational floor() const;

@@ -131,6 +131,11 @@ PlaceOn ExactHit::place_in(const Arc& arc) const {
                        [&](const Vec2& p, const Vec2& a, const Vec2& b) { return turn(p, a, b); });
 }
 
+bool ExactHit::touches(const Arc& arc) const {
+  return decide([&](const auto& number) { return curve_time(number, ray_, arc.curve).q; }) ==
+         Sign::zero;
+}
+
 PlaceOn ExactHit::place_on(const Arc& arc) const {
   const Vec2& centre = arc.curve.centre;
   const Sign side = side_of(arc);

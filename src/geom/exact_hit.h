@@ -49,6 +49,8 @@ class ExactHit {
   PlaceOn place_on(const Segment& segment) const;
   PlaceOn place_on(const Arc& arc) const;
   PlaceOn place_on(const Bezier& wall) const;
+  /// Whether the ray only touches the curve of an arc. Exact.
+  bool touches(const Arc& arc) const;
   /// Its place in the cone of an arc: on the arc itself, if that is of the curve it hits. Exact.
   PlaceOn place_in(const Arc& arc) const;
   PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }

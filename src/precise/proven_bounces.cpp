@@ -7,7 +7,9 @@ namespace flatray {
 
 Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
                       std::span<const Material> materials) {
-  if (orbit.bounces.empty() && orbit.crossings.empty()) return {0, true};  // without rounding
+  const bool at_once = orbit.bounces.empty() && orbit.crossings.empty();
+  const bool is_rounded = orbit.end != OrbitEnd::escape && orbit.end != OrbitEnd::limit;
+  if (at_once && !(is_rounded && orbit.end_point != orbit.start)) return {0, true};
   const PeriodicWalls periodic(walls, materials);
   Proof proof = prove<Bounded>(walls, periodic, orbit, kBounded);
   constexpr int kFirstBits = 256, kLastBits = 2048;
@@ -15,7 +17,8 @@ Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
   for (int bits = kFirstBits; module != nullptr && !proof.ended && bits <= kLastBits; bits *= 2)
     proof = module->prove(walls, periodic, orbit, bits);
   // The first hit was decided without rounding.
-  if (!periodic.any()) proof.proven.bounces = std::max<std::uint64_t>(proof.proven.bounces, 1);
+  if (!periodic.any() && !orbit.bounces.empty())
+    proof.proven.bounces = std::max<std::uint64_t>(proof.proven.bounces, 1);
   return proof.proven;
 }
 

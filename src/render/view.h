@@ -67,6 +67,7 @@ class SeenWalls {
   /// Whether a ray meets any after its start and before its tip, at t = 1.
   bool crosses(const Ray& ray) const;
   const SurfaceOwner& owner(const NearestHit& hit) const { return world_.owner(hit.surface); }
+  const Surfaces& surfaces() const { return world_.surfaces; }
 
  private:
   const World world_;

@@ -52,7 +52,11 @@ std::vector<std::uint32_t> ExactOrigins::walls_near(const Vec2& point, std::uint
 template <class Exact>
 ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const Exact& hit) const {
   return walls_.visit(surface, [&](const auto& wall) -> NearWall {
-    return {surface, hit.side_of(wall), hit.place_on(wall) != PlaceOn::outside, hit.place_in(wall)};
+    const PlaceOn place = hit.place_on(wall);
+    if constexpr (std::is_same_v<std::decay_t<decltype(wall)>, Arc>)
+      if (place == PlaceOn::inner && hit.touches(wall))  // it is passed by, outside
+        return {surface, Sign::positive, false, hit.place_in(wall)};
+    return {surface, hit.side_of(wall), place != PlaceOn::outside, hit.place_in(wall)};
   });
 }
 
@@ -84,6 +88,19 @@ bool ExactOrigins::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                     keeps_to_cone(wall, point, other.cone);
            });
          });
+}
+
+std::optional<Vec2> ExactOrigins::across(const Vec2& point, std::uint32_t surface,
+                                         Sign from) const {
+  std::vector<NearWall> near;
+  for (const std::uint32_t other : walls_near(point, surface))
+    near.push_back(walls_.visit(other, [&](const auto& wall) -> NearWall {
+      return {other, side_of(wall, point), false, place_in_cone(wall, point)};
+    }));
+  return nearest_double(point, [&](const Vec2& there) {
+    return walls_.visit(surface, [&](const auto& wall) { return side_of(wall, there); }) == -from &&
+           may_stand(there, surface, from, near);
+  });
 }
 
 // The same point as after() finds, where doubles can tell and no other wall passes.
@@ -160,6 +177,15 @@ bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
 
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
   return walls.visit(hit.surface, [&](const auto& wall) { return side_met(wall, ray, hit.root); });
+}
+
+bool is_before(const Surfaces& walls, const Ray& ray, const NearestHit& hit, const Vec2& place) {
+  const bool straight = walls.segment_slot(hit.surface) != kNoSurface;
+  const double doubt = straight ? 0.5 : 0x1p-40;  // a curve may have been crossed twice
+  if (!(std::fabs(hit.t - 1) < doubt)) return hit.t < 1;
+  const Sign there =
+      walls.visit(hit.surface, [&](const auto& wall) { return side_of(wall, place); });
+  return there == -inner_side(walls, ray, hit);
 }
 
 }  // namespace flatray

@@ -36,6 +36,9 @@ class ExactOrigins {
   ExactOrigin after(const Ray& ray, const NearestHit& hit, GoesOn to = GoesOn::back) const;
   /// The same of a flight in a field.
   ExactOrigin after(const FieldFlight& flight, const FieldHit& hit) const;
+  /// Where what stands at a point beside a wall, on one side of it, stands on the other: the nearest double
+  /// on the same side of all other walls; none where there is none.
+  std::optional<Vec2> across(const Vec2& point, std::uint32_t surface, Sign from) const;
   /// The walls on which a point stands, ascending. Exact.
   std::vector<std::uint32_t> walls_at(const Vec2& point) const;
   /// How the walls are kept.
@@ -65,5 +68,9 @@ bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point);
 /// The side of its wall a ray comes from: left (positive) of a segment, outside (positive) of a
 /// curve.
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
+
+/// Whether a ray to a place, which it comes to at t = 1 but for rounding, meets a wall before it: by the sides
+/// of the wall that it comes from and that the place is on, where t leaves a doubt.
+bool is_before(const Surfaces& walls, const Ray& ray, const NearestHit& hit, const Vec2& place);
 
 }  // namespace flatray

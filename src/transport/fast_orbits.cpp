@@ -14,6 +14,10 @@ using flights::Record;
 constexpr std::size_t kWave = 256;      // so many rays stay in the first cache
 constexpr std::size_t kMostWalls = 96;  // of more the exact tracer's cells are as fast
 constexpr double kUndecided = 0x1p-30;  // of the largest coordinate
+// A room reaches beyond a line by no more than rounding; lines met at cosines of 2^-16 and more are then near.
+constexpr double kRounding = 0x1p-48;
+// Beyond it rounding may hide whether a curve is met: the room by the curve's width, that by its length.
+constexpr double kMostSlender = 0x1p18;
 constexpr double kLeastRoom = 0x1p-300, kLargestRoom = 0x1p300;  // squares stay among the doubles
 
 flights::Fly kernel_of(Isa isa) {
@@ -263,7 +267,13 @@ std::string FastOrbits::look_for_obstacle() const {
   if (!walls.beziers.empty()) return "Bezier curves are followed exactly alone";
   const double size = bounds_of(walls).size().maxCoeff();
   if (!(size > kLeastRoom && size < kLargestRoom)) return "the room is too small or too large";
-  return "";
+  const auto slender = [&](const Arc& wall) {
+    const double squares = wall.curve.u.squaredNorm() + wall.curve.v.squaredNorm();
+    const double area = std::fabs(cross(wall.curve.u, wall.curve.v));
+    return !(size * std::sqrt(squares) * squares <= kMostSlender * area * area);
+  };
+  return std::ranges::any_of(walls.arcs, slender) ? "a curve is too small or too thin for the room"
+                                                  : "";
 }
 
 void FastOrbits::add(std::uint32_t surface, double (&record)[Record::kRecord]) {
@@ -283,9 +293,9 @@ void FastOrbits::add_segments(bool hull) {
     const Vec2 along = way / length;
     Vec2 normal(along.y(), -along.x());
     const auto reach_beyond = [&](const Vec2& out) { return reach(out) - out.dot(middle); };
-    if (reach_beyond(normal) > walls_.near && reach_beyond(-normal) <= walls_.near)
-      normal = -normal;
-    if ((closed_ && reach_beyond(normal) <= walls_.near) != hull) continue;
+    const double rounding = kRounding / kUndecided * walls_.near;
+    if (reach_beyond(normal) > rounding && reach_beyond(-normal) <= rounding) normal = -normal;
+    if ((closed_ && reach_beyond(normal) <= rounding) != hull) continue;
     double record[Record::kRecord] = {};
     record[Record::kNormalX] = normal.x();
     record[Record::kNormalY] = normal.y();

@@ -65,6 +65,7 @@ class FieldMeeting {
   PlaceOn place_on(const Segment& wall) const;
   PlaceOn place_on(const Arc& wall) const;
   PlaceOn place_on(const Bezier&) const { return PlaceOn::outside; }
+  bool touches(const Arc&) const { return false; }  // not told apart
   PlaceOn place_in(const Arc& wall) const;
   PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }
   PlaceOn place_in(const Bezier&) const { return PlaceOn::at_end; }

@@ -67,10 +67,15 @@ class HitFinder {
     return true;
   }
 
+  // Whether it has left a wall in that leg: in a later one it may have gone round its end.
+  bool has_left(std::uint32_t surface, const Leg& leg) const {
+    return surface == left_.surface && !is_after(leg.begin, mover_.since);
+  }
+
   bool meets(const Segment& wall, std::uint32_t surface, const Leg& leg, const Window& window) {
     const Sign to = heading(mover_, leg, wall);
     if (to == Sign::zero) return meets_end(wall, surface, leg, window);
-    if (surface == left_.surface && to == left_.side) return false;
+    if (has_left(surface, leg) && to == left_.side) return false;
     const PlaceOn place = crossing_place(mover_, leg, wall);
     if (place == PlaceOn::outside) return false;
     const MeetTime time = MeetTime::on_line(mover_, leg, wall);
@@ -80,7 +85,7 @@ class HitFinder {
 
   // It moves along the line of the wall, or with the wall.
   bool meets_end(const Segment& wall, std::uint32_t surface, const Leg& leg, const Window& window) {
-    if (surface == left_.surface || side_of(mover_, leg, wall) != Sign::zero) return false;
+    if (has_left(surface, leg) || side_of(mover_, leg, wall) != Sign::zero) return false;
     const Sign ahead = decide([&](const auto& number) {
       return dot(pair_of(number, wall.b) - pair_of(number, wall.a),
                  pair_of(number, mover_.velocity) - velocity_of(number, leg));
@@ -95,7 +100,7 @@ class HitFinder {
 
   bool meets(const Circle& wall, std::uint32_t surface, const Leg& leg, const Window& window) {
     if (!crosses(mover_, leg, wall)) return false;
-    const bool stands = surface == left_.surface;
+    const bool stands = surface == left_.surface;  // and on that side of it, until it meets it
     for (const Root root : {Root::first, Root::second}) {
       const Sign from = root == Root::first ? Sign::positive : Sign::negative;
       if (stands && from != left_.side) continue;
@@ -117,7 +122,8 @@ Sign side_at(const Segment& wall, const Leg& leg, const Mover& mover, const Meet
   return to * sign_of(compare(time, MeetTime::on_line(mover, leg, wall)));
 }
 Sign side_at(const Circle& wall, const Leg& leg, const Mover& mover, const MeetTime& time) {
-  if (!crosses(mover, leg, wall)) return Sign::positive;
+  if (!crosses(mover, leg, wall))  // what flies with it may be inside
+    return side_of(mover, leg, wall) == Sign::negative ? Sign::negative : Sign::positive;
   const auto in = compare(time, MeetTime::on_circle(mover, leg, wall, Root::first));
   const auto out = compare(time, MeetTime::on_circle(mover, leg, wall, Root::second));
   return in == 0 || out == 0 ? Sign::zero : (in > 0 && out < 0 ? Sign::negative : Sign::positive);

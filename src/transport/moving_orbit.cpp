@@ -60,6 +60,7 @@ class Flight {
       left_.side = heading(walls_, left_.surface, leg_now(left_.surface), mover_);
       if (left_.side == Sign::zero && surfaces().segment_slot(left_.surface) != kNoSurface)
         return stop(OrbitEnd::along, std::move(stood_on));
+      if (left_.side == Sign::zero) left_.side = Sign::positive;  // along its tangent, or with it
     }
     return limits_.bounces > 0 || stop(OrbitEnd::limit, {});
   }

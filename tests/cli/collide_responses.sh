@@ -238,4 +238,26 @@ run 4 collide curved.toml -D entity.egg.angular_velocity=5 --method boxes
 says err "entity 'egg' turns, and has curves other than circles and capsules"
 run 4 collide curved.toml --response bounce
 says err "has curves other than circles and capsules"
+# What contact could never be told of is refused by all, check among them.
+cat > points.toml << 'END'
+flatray = 1
+frames = 100
+[collisions]
+response = "bounce"
+[[entity]]
+name = "a"
+shape = { circle = { radius = 0 } }
+mass = 1
+velocity = [1, 0]
+[[entity]]
+name = "b"
+shape = { circle = { radius = 0 } }
+mass = 1
+at = [10, 0]
+END
+for verb in check collide; do
+  run 4 $verb points.toml
+  says err "entity 'a' and entity 'b' have no area"
+  silent out
+done
 finish

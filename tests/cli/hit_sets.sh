@@ -68,4 +68,25 @@ for shape in '{ circle = { radius = 1 } }' '{ ellipse = { radii = [1, 0.5] } }' 
   awk -F L '/class="s-axis"/ && NF > 30 { found = 1 } END { exit !found }' "$work/out.txt" || fail "no outline of $shape"
 done
 [[ $(grep -o 't = ' "$work/out.txt" | wc -l) == 2 ]] || fail "a point that is touched is named twice"
+
+# What is only drawn, by even-odd, is told to be left out.
+cat > bow.toml << 'SCENE'
+flatray = 1
+[[entity]]
+name = "box"
+shape = { box = { min = [-2, -2], max = [3, 2] } }
+[[entity]]
+name = "bow"
+shape = { polygon = { points = [[-1, 0], [-1, 1], [-2, 0], [-2, 1]], fill_rule = "even-odd" } }
+SCENE
+for question in "--op difference --against box" "--op intersection" "--against box --op union"; do
+  run 0 hit bow.toml --ray -5,0.25,1,0 $question
+  case $question in
+    *union) silent err ;;
+    *) says err "is left out: its outline crosses itself" ;;
+  esac
+done
+run 0 hit bow.toml --ray -5,0.25,1,0
+says err "is left out: its outline crosses itself"
+
 finish

@@ -7,6 +7,7 @@
 
 #include "precise/ball.h"
 #include "precise/certified_orbit.h"
+#include "precise/proven_bounces.h"
 #include "precise/rooms.h"
 
 namespace flatray {
@@ -51,6 +52,26 @@ TEST(CertifiedOrbit, PrecisionIsDoubledUntilAllIsTold) {
     before = orbit->bits;
   }
   EXPECT_GE(before, 512U);
+}
+
+// At the very point where the ray touches the disc it bounces off a segment, or leaves a cell of a torus: what is
+// only touched between its ends is no corner, in doubles as in proofs.
+TEST(CertifiedOrbit, ADiscThatIsOnlyTouchedMakesNoCorner) {
+  for (const Arc::Extent extent : {Arc::Extent::whole, Arc::Extent::half}) {
+    Surfaces walls;
+    walls.add(Arc{Circle{{-4, -2}, 4}, extent, {-3, -2}, {0, 0}});
+    walls.add(Segment{{3, -2}, {-2, -2}});
+    const Ray ray{{0, -4}, {0, 4}};
+    const Orbit plain = trace_orbit(walls, std::vector(2, Material::mirror), ray, 3);
+    const auto certified = certified_orbit(walls, ray, 3);
+    ASSERT_TRUE(certified && certified->decided);
+    ASSERT_EQ(plain.bounces.size(), 1U);
+    EXPECT_EQ(plain.bounces[0].surface, 1U);
+    EXPECT_EQ(plain.end, OrbitEnd::escape);
+    EXPECT_EQ(certified->bounces.size(), 1U);
+    EXPECT_EQ(certified->end, OrbitEnd::escape);
+    EXPECT_EQ(proven_bounces(walls, plain).bounces, 1U);
+  }
 }
 
 // Exactly at an end that lies on the curve it is no bounce, however many bits there are; beside it on

@@ -54,6 +54,24 @@ TEST(ProvenBounces, AnOrbitOfDyadicPointsIsProvenToItsEnd) {
   EXPECT_EQ(proven_bounces(square, orbit).bounces, 1000U);
 }
 
+// The first wall is met within an ulp of a corner, where no double lies between both: the orbit ends there,
+// which the exact one does not.
+TEST(ProvenBounces, AnEndForWantOfADoubleIsNotProven) {
+  const Surfaces wedge = room({{16, 16}, {19, 17}, {19, 0x1.1000000000010p+4}});
+  const Ray start{{18, 16.666666666666682}, {-1.997, -0.6656666666666821}};
+  const Orbit orbit = orbit_in(wedge, start, 10);
+  ASSERT_EQ(orbit.end, OrbitEnd::corner);
+  ASSERT_TRUE(orbit.bounces.empty());
+  EXPECT_FALSE(proven_bounces(wedge, orbit).end);
+  const Surfaces square = room({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+  for (const Ray& ray : {Ray{{5, 5}, {-1, -1}}, Ray{{0, 0}, {1, 1}}, Ray{{5, 0}, {1, 0}}}) {
+    const Orbit at_once = orbit_in(square, ray, 10);
+    ASSERT_TRUE(at_once.bounces.empty());
+    EXPECT_TRUE(proven_bounces(square, at_once).end);
+    EXPECT_EQ(proven_bounces(square, at_once).bounces, 0U);
+  }
+}
+
 TEST(ProvenBounces, AreThoseOfTheRationals) {
   const Surfaces pentagon = room({{0, 0}, {7, -1}, {9, 5}, {4, 9}, {-1, 6}});
   for (const Vec2& towards : {Vec2(3, 1.7), Vec2(-1, 0.33), Vec2(0.01, 5)}) {

@@ -120,6 +120,11 @@ TEST(Software, CrowdedPixelsDependOnNoNeighbourAndOnNothingHidden) {
           std::equal(part.pixels.begin(), part.pixels.end(), whole.pixels.begin() + 6 * row))
           << seed << ", row " << row;
     }
+    const LinearImage right = render_linear(list, {PixelBox{1, 0, 1, 4}, 1});
+    for (std::size_t row = 0; row < 4; ++row)
+      EXPECT_TRUE(std::equal(&right.pixels[3 * row], &right.pixels[3 * row] + 3,
+                             &whole.pixels[6 * row + 3]))
+          << seed << ", row " << row;
   }
 }
 

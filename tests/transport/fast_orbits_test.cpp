@@ -209,6 +209,55 @@ TEST(FastOrbits, SayWhyARoomIsFollowedExactly) {
   const std::vector<Material> mirrors = all_mirrors(walls);
   const OrbitTracer exact(walls, mirrors);
   EXPECT_NE(FastOrbits(exact, true).obstacle().find("Bezier"), std::string::npos);
+  const Surfaces box = ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  for (const Ellipse& curve :
+       {Ellipse(Circle{{0.7, 0.6}, 0x1p-25}), Ellipse({0.5, 0.5}, {0.3, 0.1}, {-1e-7, 3e-7})}) {
+    const Surfaces room = with(box, Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}});
+    const OrbitTracer tracer(room, all_mirrors(room));
+    EXPECT_NE(FastOrbits(tracer, true).obstacle().find("too thin"), std::string::npos);
+  }
+}
+
+// All of the room but for a notch of that depth lies on one side of a wall: a ray that grazes the notch
+// crosses the line of the wall long before.
+TEST(FastOrbits, ANotchIsMetHoweverShallow) {
+  for (const double depth : {0x1p-31, 0x1p-40, 0x1p-47, 0x1p-49}) {
+    const Surfaces walls = ring({{0, 0}, {1, 0}, {1, -depth}, {2, -depth}, {2, 1}, {0, 1}});
+    const OrbitTracer exact(walls, all_mirrors(walls));
+    std::vector<OrbitStart> starts;
+    for (int i = 0; i < 1000; ++i)
+      starts.push_back(
+          {{{0.1 + i * 0x1p-13, (1 + i % 97) * 0x1p-17}, {1.75, -(1 + i % 97) * 0x1p-17}}});
+    Kept fast(starts.size()), truth(starts.size());
+    FastOrbits(exact, true).follow(starts, 1, fast);
+    exact.follow(starts, 1, truth);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      ASSERT_EQ(fast.bounces[i].empty(), truth.bounces[i].empty()) << depth << ' ' << i;
+      if (truth.bounces[i].empty()) continue;
+      EXPECT_EQ(fast.bounces[i][0].surface, truth.bounces[i][0].surface) << depth << ' ' << i;
+    }
+  }
+}
+
+// An ellipse is the same with its half-diameters the other way round, and so are its normals.
+TEST(FastOrbits, AnEllipseWhoseHalfDiametersTurnClockwiseKeepsItsRaysOut) {
+  const Surfaces box = ring({{-8, -8}, {8, -8}, {8, 8}, {-8, 8}});
+  const Ellipse curve({4, -1}, {1, -2}, {-3, 1});
+  const Surfaces room = with(box, Arc{curve, Arc::Extent::between, {5, -3}, {1, 0}});
+  const OrbitTracer exact(room, all_mirrors(room));
+  std::vector<OrbitStart> starts;
+  for (int i = 0; i < 300; ++i)
+    starts.push_back({{{-4, -2 + i * 0x1p-9}, {std::cos(0.02 * i), std::sin(0.02 * i)}}});
+  Kept fast(starts.size()), truth(starts.size());
+  FastOrbits(exact, true).follow(starts, 3, fast);
+  exact.follow(starts, 3, truth);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    ASSERT_EQ(fast.bounces[i].size(), truth.bounces[i].size()) << i;
+    for (std::size_t k = 0; k < truth.bounces[i].size(); ++k) {
+      EXPECT_EQ(fast.bounces[i][k].surface, truth.bounces[i][k].surface) << i;
+      EXPECT_LT(truth.bounces[i][k].normal.dot(truth.bounces[i][k].in), 0) << i;
+    }
+  }
 }
 
 }  // namespace

@@ -49,6 +49,47 @@ TEST(MovingOrbit, BetweenAWallAtRestAndOneThatComesEachBounceIsFasterByTwiceItsS
   }
 }
 
+// After a bounce at 1 the bar goes round the particle and comes back from its other side: it falls on the
+// particle, which is at (t - 1, t - 1), from y = 10 at t = 6, at -10 a second.
+TEST(MovingOrbit, AWallJustLeftIsMetWhenItComesBackFromItsOtherSide) {
+  MovingRoom room;
+  room.add(Segment{{-1, 0}, {1, 0}}, {{0, 4, {0, 0}, {0, 0}, {0, 0}},
+                                      {4, 5, {0, 0}, {0, 10}, {0, 0}},
+                                      {5, 6, {0, 10}, {6, 10}, {0, 0}},
+                                      {6, 7, {6, 10}, {6, 0}, {0, 0}},
+                                      {7, kInfinity, {6, 0}, {0, 0}, {0, 0}}});
+  const MovingOrbit found = trace_moving_orbit(room, {{-1, 1}, {1, -1}}, 0, {3, 20});
+  ASSERT_GE(found.orbit.bounces.size(), 2U);
+  EXPECT_NEAR(found.times[1].time, 71.0 / 11, 1e-14);
+  EXPECT_NEAR(found.orbit.bounces[1].point.y(), 60.0 / 11, 1e-14);
+}
+
+// It leaves the circle along its tangent, or flies on it with it, and is met from behind.
+TEST(MovingOrbit, ACircleThatIsStoodOnAlongItsTangentIsMetWhenItComes) {
+  for (const Vec2& with : {Vec2(0, 0), Vec2(0, 0.5)}) {
+    MovingRoom room;
+    room.add(Circle{{0, 0}, 1}, {{0, 1, {0, 0}, with, {0, 0}},
+                                 {1, 2, with, with + Vec2(10, 0), {0, 0}},
+                                 {2, kInfinity, with + Vec2(10, 0), {0, 0}, {0, 0}}});
+    const Vec2 velocity = with == Vec2(0, 0) ? Vec2(0, 0.1) : with;
+    const MovingOrbit found = trace_moving_orbit(room, {{1, 0}, velocity}, 0, {1, 20});
+    ASSERT_EQ(found.orbit.bounces.size(), 1U);
+    EXPECT_NEAR(found.times[0].time, 1.0005, 6e-4);
+    EXPECT_GE(found.times[0].time, 1);
+  }
+}
+
+TEST(MovingOrbit, WhatFliesWithADiscInsideItMeetsTheWallThere) {
+  for (const double x : {1 - 0x1p-53, 1 - 0x1p-50, 1 - 0x1p-45, 1 - 0x1p-40}) {
+    MovingRoom room;
+    room.add(Circle{{0, 0}, 1}, {1, 0});
+    room.add(Segment{{5, -3}, {5, 3}});
+    const MovingOrbit found = trace_moving_orbit(room, {{x, 0}, {1, 0}}, 0, {1});
+    ASSERT_EQ(found.orbit.bounces.size(), 1U) << x;
+    EXPECT_EQ(found.orbit.bounces[0].surface, 1U);
+  }
+}
+
 TEST(MovingOrbit, AWallThatGoesFasterThanTheParticleIsNeverMet) {
   const MovingOrbit never = trace_moving_orbit(accelerator(4), {{1, 0}, {3, 0}}, 0, {10});
   EXPECT_EQ(never.orbit.end, OrbitEnd::escape);

@@ -4,6 +4,7 @@
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/shown_text.h"
+#include "collide/scene_timeline.h"
 #include "render/coverage/unseen.h"
 
 namespace flatray::check_verb {
@@ -30,15 +31,16 @@ Result<VerbOutput> run(const Options& options) {
   VerbOutput output;
   for (const std::string& path : options.operands()) {
     const Result<LoadedScene> loaded = load_input(options.scene, path);
-    const Diagnostics errors = loaded ? Diagnostics{} : loaded.error();
-    Diagnostics warnings;
+    Diagnostics errors = loaded ? Diagnostics{} : loaded.error(), warnings;
     if (loaded) {
+      if (auto bodies = timeline_before_trouble(loaded->scene, loaded->scene.seed, 1); !bodies)
+        errors = std::move(bodies).error();
       warnings = loaded->warnings;
       const Diagnostics unseen = unseen_in(loaded->scene, loaded->scene.seed);
       warnings.insert(warnings.end(), unseen.begin(), unseen.end());
     }
     report_warnings(warnings, options);
-    const bool told = loaded && !options.has("quiet");
+    const bool told = errors.empty() && !options.has("quiet");
     output.add(Fields{{"scene", path},
                       {"valid", errors.empty()},
                       {"errors", as_values(errors)},

@@ -111,9 +111,9 @@ std::vector<std::uint32_t> asked_about(const std::vector<Question>& questions) {
   return {entities.begin(), entities.end()};
 }
 
-// The entities of a question for --op: those it is against, and for a difference all others then.
-std::vector<std::uint32_t> operands_of(HitOperation operation, const Question& question,
-                                       const Scene& scene) {
+// The entities of a question: those it is against, and of --op difference all others then.
+std::vector<std::uint32_t> operands_of(const std::optional<HitOperation>& operation,
+                                       const Question& question, const Scene& scene) {
   std::vector<std::uint32_t> entities = question.against;
   if (operation != &difference_of) return entities;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
@@ -140,7 +140,7 @@ Result<VerbOutput> show_sets(const Options& options, const Scene& scene, const F
   for (const Question& question : questions)
     for (const NamedRay& ray : question.rays) {
       std::vector<std::vector<HitReport>> by_entity;
-      for (const std::uint32_t entity : operands_of(*options.operation, question, scene))
+      for (const std::uint32_t entity : operands_of(options.operation, question, scene))
         by_entity.push_back(hit_reports(scene, state, ray, entity, question.within));
       any = any ||
             std::ranges::any_of(by_entity, [](const auto& reports) { return !reports.empty(); });
@@ -150,6 +150,26 @@ Result<VerbOutput> show_sets(const Options& options, const Scene& scene, const F
   VerbOutput output{.table = csv_rows(sets)};
   for (const HitSet& set : sets) output.add(as_value(set), text_of(set));
   return output;
+}
+
+// Of the entities asked about, what no ray is clipped to: nobody may take silence for a miss.
+void tell_left_out(const Options& options, const Scene& scene,
+                   const std::vector<Question>& questions) {
+  std::set<std::uint32_t> entities;
+  for (const Question& question : questions) {
+    const std::vector<std::uint32_t> asked = operands_of(options.operation, question, scene);
+    entities.insert(asked.begin(), asked.end());
+  }
+  Diagnostics warnings;
+  for (const std::uint32_t number : entities) {
+    const Entity& entity = scene.entities[number];
+    if (!scene.shapes[entity.shape].crossing_rings.empty())
+      warnings.push_back({entity.where,
+                          called("entity", entity.name, entity.where) +
+                              " is left out: its outline crosses itself, and is only drawn",
+                          "write it as polygons that do not cross themselves"});
+  }
+  report_warnings(warnings, options);
 }
 
 VerbOutput show(const std::vector<HitReport>& reports) {
@@ -165,6 +185,7 @@ Result<VerbOutput> run(const Options& options) {
   if (auto straight = expect_no_field(*scene, "hit"); !straight) return fail(std::move(straight));
   FLATRAY_TRY(state, frame_of(options.scene, *scene, options.frame));
   FLATRAY_TRY(questions, read_questions(options, *scene, *state));
+  tell_left_out(options, *scene, *questions);
   if (options.operation) return show_sets(options, *scene, *state, *questions);
   std::vector<HitReport> reports;
   for (const Question& question : *questions)

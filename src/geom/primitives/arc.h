@@ -68,7 +68,7 @@ Number curve_power(const Make& number, const Ellipse& curve, const Pair<Number>&
   const auto size = form_size(number, curve);
   return dot(form, form) - size * size;
 }
-/// A normal of the curve at a point whose form is given, outward where u x v > 0.
+/// A normal of the curve at a point whose form is given, outward.
 template <class Make, class Number>
 Pair<Number> curve_normal(const Make& number, const Ellipse& curve, const Pair<Number>& form) {
   if (curve.is_circle()) return form;
@@ -81,7 +81,8 @@ template <class Make, class Number>
 Pair<Number> sized_normal(const Make& number, const Ellipse& curve, const Pair<Number>& form) {
   if (curve.is_circle()) return form;
   const Pair<Number> normal = curve_normal(number, curve, form);
-  const auto size = form_size(number, curve);
+  auto size = form_size(number, curve);
+  if (cross_sign(curve.u, curve.v) == Sign::negative) size = -size;
   return {normal.x / size, normal.y / size};
 }
 

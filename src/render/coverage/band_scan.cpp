@@ -23,7 +23,7 @@ int rays_of(const DrawList& list) {
   return list.coverage == Coverage::area ? 0 : list.coverage == Coverage::rows ? list.rows : 1;
 }
 
-// The pixels of a box that something within bounds may show in, or have an edge of on their left border.
+// The pixels of a box that something within bounds may show in.
 PixelBox within(const PixelBox& box, const Bounds& bounds) {
   const auto low = [](double v, int a, int b) {
     return v > a ? static_cast<int>(std::min<double>(v, b)) : a;
@@ -31,10 +31,9 @@ PixelBox within(const PixelBox& box, const Bounds& bounds) {
   const auto high = [](double v, int a, int b) {
     return v < b ? static_cast<int>(std::ceil(std::max<double>(v, a))) : b;
   };
-  const double beyond = std::nextafter(bounds.high.x(), kInfinity);
   const int x = low(bounds.low.x(), box.x, box.right());
   const int y = low(bounds.low.y(), box.y, box.bottom());
-  return {x, y, high(beyond, box.x, box.right()) - x,
+  return {x, y, high(bounds.high.x(), box.x, box.right()) - x,
           high(bounds.high.y(), box.y, box.bottom()) - y};
 }
 

@@ -11,9 +11,11 @@ namespace {
 constexpr std::size_t kFewEdges =
     48;  // looking at all of them costs less than sorting them by band
 
+// An edge on the border of two columns is in both.
 Bounds region_bounds(const FillPath& path) {
   Bounds bounds;
   for (const Segment& edge : path.edges) bounds.add(edge.a), bounds.add(edge.b);
+  bounds.high.x() = std::nextafter(bounds.high.x(), kInfinity);
   return bounds;
 }
 

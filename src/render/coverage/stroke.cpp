@@ -166,11 +166,11 @@ std::vector<ChainLeg> legs_of(const Chain& chain) {
   for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i) {
     const Vec2 &a = chain.points[i], &b = chain.points[i + 1 < count ? i + 1 : 0];
     const Vec2 along = b - a;
-    const double length = std::sqrt(along.squaredNorm());
+    const double length = size_of(along);
     if (!chain.ahead.empty())
       legs.push_back({a, b, chain.ahead[2 * i], chain.ahead[2 * i + 1], length});
     else if (length > 0)
-      legs.push_back({a, b, along / length, along / length, length});
+      legs.push_back({a, b, unit(along), unit(along), length});
   }
   return legs;
 }

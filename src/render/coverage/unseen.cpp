@@ -100,10 +100,12 @@ void add_lamps(const Scene& scene, const FrameState& state, std::span<const Lamp
 }
 
 bool reaches_film(const Scene& scene, const FrameState& state, std::uint64_t seed) {
-  constexpr int kWidth = 32;
+  constexpr std::int64_t kWidth = 32, kMostSide = 65536;  // of a LightFilm
+  const std::int64_t width = scene.film.width, height = scene.film.height;
   Scene small = scene;
-  small.film.height = std::max(kWidth * scene.film.height / scene.film.width, 1);
-  small.film.width = kWidth;
+  const std::int64_t across = std::clamp<std::int64_t>(kMostSide * width / height, 1, kWidth);
+  small.film.width = static_cast<int>(across);
+  small.film.height = static_cast<int>(std::max<std::int64_t>(across * height / width, 1));
   small.light.rays = kTrialRays;
   small.light.scrambles = 1;
   small.light.bounces = std::min(scene.light.bounces, kTrialBounces);

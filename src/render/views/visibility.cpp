@@ -2,6 +2,7 @@
 
 #include "geom/clip_range.h"
 #include "render/view.h"
+#include "transport/exact_origin.h"
 
 namespace flatray::visibility_view {
 namespace {
@@ -54,8 +55,11 @@ void draw(const ViewFrame& frame, const EachRow& each_row) {
       constexpr std::uint8_t kShadow = 64, kLit = 255;
       const Ray ray = rays.ray(i), from_point = is_far ? Ray{point, -ray.direction} : ray;
       const bool is_on_wall = is_far && hits[i] && hits[i].t == 0;
-      const bool shadow = (is_on_wall ? seen.crosses(ray) : hits[i] && hits[i].t < 1) ||
-                          crosses_before_tip(from_point, rims);
+      const Vec2 tip =
+          is_far ? point : pixel_centre(frame, frame.crop.x + static_cast<int>(i), row);
+      const bool hidden = hits[i] && is_before(seen.surfaces(), ray, hits[i], tip);
+      const bool shadow =
+          (is_on_wall ? seen.crosses(ray) : hidden) || crosses_before_tip(from_point, rims);
       pixels = std::fill_n(pixels, 3, shadow ? kShadow : kLit);
     }
   });

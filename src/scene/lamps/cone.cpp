@@ -20,7 +20,10 @@ class Cone : public Emitter {
   }
   std::optional<Sight> sight(const Vec2& at) const override {
     const double r = std::sqrt(at.dot(at));
-    if (spread_ == 0 || !(at.x() >= r * turn(spread_ / 2).cos)) return std::nullopt;
+    const Turn half = turn(spread_ / 2);
+    const bool is_within = std::fabs(at.y()) * half.cos <= at.x() * half.sin;
+    const bool sees = half.cos < 0 ? at.x() >= 0 || is_within : at.x() >= 0 && is_within;
+    if (spread_ == 0 || !sees) return std::nullopt;
     return Sight{{0, 0}, 1 / (spread_ * r)};
   }
   bool is_one_ray() const override { return spread_ == 0; }

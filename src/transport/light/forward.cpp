@@ -243,6 +243,8 @@ class Forward {
     next_.resize(std::max(next_.size(), order.size()));  // kept as long as the longest
     const auto scramble = static_cast<std::uint32_t>(
         random_bits(now_->seed, Stream::bounce, rules_.frame, block, bounces));
+    const auto colours = static_cast<std::uint32_t>(
+        random_bits(now_->seed, Stream::colour, rules_.frame, block, bounces));
     in_parts(order.size(), [&](std::size_t begin, std::size_t end, LightCounts& counts) {
       for (std::size_t k = begin; k < end; ++k) {
         if (k + kAhead < end) {  // the order goes to and fro in memory
@@ -253,7 +255,7 @@ class Forward {
         const auto number = [&](Stream stream) {
           if (rules_.light.sampler == LightSampler::random)
             return random_number(stream, block, rays_[order[k]].number, bounces);
-          return stream == Stream::colour ? net_number(rank, 1, ~scramble)
+          return stream == Stream::colour ? net_number(rank, 1, colours)
                                           : net_number(rank, 0, scramble);
         };
         next_[k] = scattered(order[k], bounces, number, counts);

@@ -4,7 +4,6 @@
 
 #include "base/check.h"
 #include "transport/light/order.h"
-#include "transport/near_doubles.h"
 #include "transport/orbit.h"
 
 namespace flatray {
@@ -98,14 +97,9 @@ bool LitWalls::all_absorb(const LightRay& ray, const LightHit& met) const {
   return !scatter && !taken_by(materials_, corner).empty();
 }
 
-Vec2 LitWalls::beyond(const LightHit& met) const {
-  if (met.offset != 0) return met.point - met.offset * met.normal;
-  const std::uint32_t surface = met.hit.surface;
-  const Sign from = side(met);
-  const auto across = nearest_double(met.point, [&](const Vec2& point) {
-    return walls_.visit(surface, [&](const auto& wall) { return side_of(wall, point); }) == -from;
-  });
-  return across.value_or(met.point);
+std::optional<Vec2> LitWalls::beyond(const LightHit& met) const {
+  if (met.offset != 0) return Vec2(met.point - met.offset * met.normal);
+  return exact_origins_.across(met.point, met.hit.surface, side(met));
 }
 
 bool LitWalls::sets_off_from(LightRay& ray, const LightHit& met, bool stays) const {
@@ -115,7 +109,10 @@ bool LitWalls::sets_off_from(LightRay& ray, const LightHit& met, bool stays) con
   if (met.offset == 0) {
     const bool back = leads_away(walls_, surface, side(met), met.point, direction);
     if (stays && !back) return false;
-    if (!back) ray.ray.origin = beyond(met);
+    if (const auto there = back ? met.point : beyond(met))
+      ray.ray.origin = *there;
+    else
+      return false;
     ray.departed = {surface, root_stood_on(walls_, surface, ray.ray)};
     return !runs_along(walls_, ray.departed, direction);
   }
@@ -143,9 +140,9 @@ bool LitWalls::leaves(LightRay& ray, const LightHit& met, const Departure& depar
     case Departure::Way::absorbed:
       return false;
     case Departure::Way::through:
-      ray.ray.origin = beyond(met);
       ray.departed = {surface, met.hit.root};
-      return true;
+      if (const auto there = beyond(met)) return ray.ray.origin = *there, true;
+      return false;
     case Departure::Way::mirrored:
       ray.departed = {surface, root_departed_by(met.hit.root)};
       return mirrors(ray.ray, met);

@@ -79,7 +79,7 @@ std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray,
   const std::vector<std::uint32_t> on = walls_.walls_at(from);
   if (on.size() > 1 || (on.size() == 1 && is_end(walls, on.front(), from))) return kNone;
   const auto arrives = [&](const NearestHit& hit) {
-    if (on.empty() || hit.surface != on.front()) return hit.t >= 1;
+    if (on.empty() || hit.surface != on.front()) return !is_before(walls, ray, hit, from);
     const Root met = root_departed_by(root_stood_on(walls, on.front(), {from, -ray.direction}));
     return met == Root::both ? hit.root == met : enters(hit.root) == enters(met);
   };

@@ -36,6 +36,15 @@ double area_of(const Chain& chain, const LineStyle& style) {
   return sum / kFullCoverage;
 }
 
+TEST(Stroke, OfTheShortestLegsIsAsWideAsAll) {
+  for (const double length : {1e-200, 1.6e-162, 2.4e-162, 1e-150, 1e-3}) {
+    LineStyle style;
+    style.half_width = 5;
+    style.caps = LineCap::square;
+    EXPECT_NEAR(area_of({{{0, 10}, {length, 10}}, false}, style), 50, 0.02) << length;
+  }
+}
+
 double length_of(const Chain& chain) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < chain.points.size(); ++i)

@@ -1,5 +1,6 @@
 // needs: shapes/box shapes/circle shapes/ngon shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass passes/light passes/entities formats/toml
 // Light gathered from pixels against closed forms, and against light from lamps.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -184,6 +185,39 @@ TEST(Gather, OfALampAlongAWallDoesNotGoThroughTheWall) {
   const Timeline timeline(scene, 0, 1);
   EXPECT_TRUE(any_on_wall(lamp_states(scene, at(timeline, 1)),
                           build_world(scene, at(timeline, 1)).surfaces));
+}
+
+// Lamps at decimals beside a slanted wall, by their doubles on one side of it by some 1e-17.
+TEST(Gather, OfALampBesideAWallByRoundingStaysOnItsSide) {
+  for (const int tenths : {1, 3, 6, 7, 9, 11, 13, 19}) {
+    const Vec2 lamp(tenths / 10.0, tenths / 30.0);
+    const Sign side = orientation({-3, -1}, {3, 1}, lamp);
+    if (side == Sign::zero) continue;
+    const GatheredLight light = gathered(
+        fmt::format("[[lamp]]\nsource = {{ point = {{}} }}\nat = [{}, {}]\n"
+                    "[[entity]]\nshape = {{ segment = {{ from = [-3, -1], to = [3, 1] }} }}\n"
+                    "material = 'absorb'\n",
+                    lamp.x(), lamp.y()));
+    for (const double above : {1.0, -1.0}) {
+      const Vec2 pixel(0.25, above + 0.25);
+      const auto column = static_cast<std::size_t>((pixel.x() + 4) * 2);
+      const auto row = static_cast<std::size_t>((4 - pixel.y()) * 2);
+      EXPECT_EQ(light.fluence[3 * (row * 16 + column)] > 0, (above > 0) == (side == Sign::positive))
+          << tenths << ' ' << above;
+    }
+  }
+}
+
+// A pixel sees the cone by its angle, however narrow: 1e-7 degrees here.
+TEST(Gather, OfANarrowConeIsNoBrighterThanItsWidth) {
+  const Scene scene = scene_of(
+      "flatray = 1\nfilm = { size = [16, 16], world = [[0, -5e-9], [1e-8, 5e-9]] }\n"
+      "[light]\nrays = 65536\n[[lamp]]\nsource = { cone = { spread = 1e-7 } }\nat = [-1, 0]\n");
+  const GatheredLight light =
+      gather_frame_light(scene, at(Timeline(scene, 0, 1), 1), nullptr, 0, 1, nullptr);
+  double lit = 0;
+  for (std::size_t row = 0; row < 16; ++row) lit += light.fluence[3 * (row * 16 + 8)];
+  EXPECT_NEAR(lit * 6.25e-10, 1, 0.2);  // rows of 6.25e-10, the light's width is 1.75e-9
 }
 
 // Its light leaves along a line: what of it a wall cuts off is dark.

@@ -1,5 +1,6 @@
 // needs: shapes/bezier shapes/box shapes/circle shapes/ngon shapes/segment lamps/arc lamps/beam lamps/cone lamps/point materials/diffuse materials/glass materials/mix materials/pass passes/light passes/entities formats/toml
 // Light against closed forms, and what becomes of all of it.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -139,6 +140,30 @@ TEST(Light, EndsAtCornersAndGetsThroughNone) {
   }
 }
 
+// What absorbs lies along a side of the glass, and a little longer, at angles at which rounding puts the one
+// before or behind the other.
+TEST(Light, DoesNotGetThroughWhatAbsorbsRightBehindGlass) {
+  for (const int angle : {10, 17, 20, 30, 33, 45, 50, 61, 70, 80}) {
+    const Fluence light = fluence(
+        lit(fmt::format(
+                "[[lamp]]\nsource = {{ point = {{}} }}\nat = [{}, {}]\n"
+                "[[entity]]\nshape = {{ box = {{ min = [-3, 0], max = [3, 2] }} }}\nangle = {}\n"
+                "material = {{ glass = {{ index = 1.5 }} }}\n"
+                "[[entity]]\nshape = {{ segment = {{ from = [-9, 0], to = [9, 0] }} }}\n"
+                "angle = {}\nmaterial = 'absorb'\n",
+                -std::sin(angle * std::numbers::pi / 180), std::cos(angle * std::numbers::pi / 180),
+                angle, angle),
+            "rays = 20000"));
+    const Vec2 down(std::sin(angle * std::numbers::pi / 180),
+                    -std::cos(angle * std::numbers::pi / 180));
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x)
+        if (const Vec2 centre(-4 + (x + 0.5) / 8, 4 - (y + 0.5) / 8); centre.dot(down) > 0.1) {
+          EXPECT_EQ(light.at(x, y), 0) << angle << ' ' << x << ' ' << y;
+        }
+  }
+}
+
 TEST(Light, SamplersAgree) {
   const std::string room =
       std::string(kPoint) +
@@ -206,6 +231,24 @@ TEST(Light, KeepsItsColoursThroughDispersion) {
         with += colours.at(x, y, channel), without += plain.at(x, y, channel);
     EXPECT_NEAR(with / without, 1, 0.03) << channel;
   }
+}
+
+// Of one white ray at a time: its colour says nothing of whether it is reflected, which is as likely for all.
+TEST(Light, ReflectsAllColoursOfAWhiteRayAlike) {
+  const Scene scene =
+      lit("[[lamp]]\nsource = { ray = {} }\nat = [-1, 2]\nangle = -75\n"
+          "[[entity]]\nshape = { box = { min = [0, -30], max = [30, 30] } }\n"
+          "material = { glass = { index = 1.5, dispersion = 1000 } }\n",
+          "rays = 1");
+  std::array<double, 3> reflected{};
+  for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    const Fluence one = fluence(scene, 1, seed);
+    for (int channel = 0; channel < 3; ++channel)
+      for (int x = 0; x < 32; ++x)
+        reflected[static_cast<std::size_t>(channel)] += one.at(x, 60, channel);
+  }
+  const double all = reflected[0] + reflected[1] + reflected[2];
+  for (const double one : reflected) EXPECT_NEAR(one / all, 1.0 / 3, 0.08);
 }
 
 TEST(Light, OfOneWavelengthIsNotTakenApart) {

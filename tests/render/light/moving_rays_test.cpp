@@ -147,5 +147,15 @@ TEST(Unseen, LightThatDoesNotComeToTheFilmIsTold) {
   EXPECT_NE(beam("0").at(0).find("no light is seen in frame 1"), std::string::npos);
 }
 
+TEST(Unseen, OfFilmsThatAreVeryTallIsAskedToo) {
+  for (const int height : {2048, 2049, 65535})
+    EXPECT_TRUE(unseen_in(scene_of(fmt::format(
+                              "flatray = 1\nfilm = {{ size = [1, {}], world = [[0, 0], [1, "
+                              "{}]] }}\n[[lamp]]\nsource = {{ point = {{}} }}\nat = [0.5, 0.25]\n",
+                              height, height)),
+                          0)
+                    .empty());
+}
+
 }  // namespace
 }  // namespace flatray
