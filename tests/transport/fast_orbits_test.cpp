@@ -213,7 +213,8 @@ TEST(FastOrbits, SayWhyARoomIsFollowedExactly) {
   for (const Ellipse& curve :
        {Ellipse(Circle{{0.7, 0.6}, 0x1p-25}), Ellipse({0.5, 0.5}, {0.3, 0.1}, {-1e-7, 3e-7})}) {
     const Surfaces room = with(box, Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}});
-    const OrbitTracer tracer(room, all_mirrors(room));
+    const std::vector<Material> all = all_mirrors(room);
+    const OrbitTracer tracer(room, all);
     EXPECT_NE(FastOrbits(tracer, true).obstacle().find("too thin"), std::string::npos);
   }
 }
@@ -223,11 +224,12 @@ TEST(FastOrbits, SayWhyARoomIsFollowedExactly) {
 TEST(FastOrbits, ANotchIsMetHoweverShallow) {
   for (const double depth : {0x1p-31, 0x1p-40, 0x1p-47, 0x1p-49}) {
     const Surfaces walls = ring({{0, 0}, {1, 0}, {1, -depth}, {2, -depth}, {2, 1}, {0, 1}});
-    const OrbitTracer exact(walls, all_mirrors(walls));
+    const std::vector<Material> mirrors = all_mirrors(walls);
+    const OrbitTracer exact(walls, mirrors);
     std::vector<OrbitStart> starts;
     for (int i = 0; i < 1000; ++i)
       starts.push_back(
-          {{{0.1 + i * 0x1p-13, (1 + i % 97) * 0x1p-17}, {1.75, -(1 + i % 97) * 0x1p-17}}});
+          {{{0.1 + i * 0x1p-13, (1 + i % 97) * 0x1p-13}, {1.75, -(1 + i % 97) * 0x1p-13}}});
     Kept fast(starts.size()), truth(starts.size());
     FastOrbits(exact, true).follow(starts, 1, fast);
     exact.follow(starts, 1, truth);
@@ -244,7 +246,8 @@ TEST(FastOrbits, AnEllipseWhoseHalfDiametersTurnClockwiseKeepsItsRaysOut) {
   const Surfaces box = ring({{-8, -8}, {8, -8}, {8, 8}, {-8, 8}});
   const Ellipse curve({4, -1}, {1, -2}, {-3, 1});
   const Surfaces room = with(box, Arc{curve, Arc::Extent::between, {5, -3}, {1, 0}});
-  const OrbitTracer exact(room, all_mirrors(room));
+  const std::vector<Material> mirrors = all_mirrors(room);
+  const OrbitTracer exact(room, mirrors);
   std::vector<OrbitStart> starts;
   for (int i = 0; i < 300; ++i)
     starts.push_back({{{-4, -2 + i * 0x1p-9}, {std::cos(0.02 * i), std::sin(0.02 * i)}}});
