@@ -88,5 +88,8 @@ for question in "--op difference --against box" "--op intersection" "--against b
 done
 run 0 hit bow.toml --ray -5,0.25,1,0
 says err "is left out: its outline crosses itself"
+run 2 hit bow.toml --ray -5,0.25,1,0 --against bow
+says err "even-odd polygons have no inside"
+grep -qF -e --from "$work/err.txt" && fail "speaks of --from, which was not said"
 
 finish

@@ -115,7 +115,11 @@ for plant in 'ln -s ../whole/f_0001.png' mkfifo; do
 done
 same_frames
 run 3 verify .
+says err 'holds no records'
 run 3 verify nowhere
+says err 'nowhere: error: is not there'
+run 3 verify box.toml
+says err 'is no folder'
 
 # Several runs, killed and tampered with, as tools/check-shared-folder does a hundred times.
 "$root/tools/check-shared-folder" box.toml "$flatray" 2 || fail "schedules"

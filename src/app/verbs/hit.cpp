@@ -125,11 +125,13 @@ tl::unexpected<Diagnostics> nothing_to_clip(const Options& options) {
   if (!options.has("ray") && !options.has("from"))
     return usage_error(named_place("hit"), "there is no ray to ask about",
                        "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
+  const std::string of_rays =
+      options.has("from") ? "the entity of --from needs straight edges, which are its rays; " : "";
   return usage_error(named_place("hit"),
                      "no ray meets a convex piece, a curve or a segment to clip it by",
-                     "the entity of --from needs straight edges, which are its rays; even-odd "
-                     "polygons have no inside to clip to; walls of chambers and their pillars: "
-                     "flatray orbit");
+                     of_rays +
+                         "even-odd polygons have no inside to clip to; walls of chambers and their "
+                         "pillars: flatray orbit");
 }
 
 // --op: what is left of each ray, by the entities that have an inside.

@@ -42,6 +42,13 @@ std::string pattern_of(std::string name) {
   return name.replace(first, last + 1 - first, last + 1 - first, '#');
 }
 
+const char* why_nothing(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return "is not there";
+  if (!fs::is_directory(folder, ignored)) return "is no folder";
+  return "holds no records of frames, blocks or rows";
+}
+
 class FolderCheck {
  public:
   FolderCheck(fs::path folder, unsigned threads) : folder_(std::move(folder)), threads_(threads) {}
@@ -52,7 +59,7 @@ class FolderCheck {
     check_rows();
     for (const fs::path& file : files_in(folder_)) check_file(file);
     if (!found_)
-      return fail(named_place(folder_.string()), "holds no records of frames, blocks or rows",
+      return fail(named_place(folder_.string()), why_nothing(folder_),
                   "name a folder that flatray wrote to", Trouble::missing);
     check_pictures();
     check_settings();
