@@ -42,7 +42,8 @@ Vec2 normal_of_discs(const Vec2& at_a, const MovingBody& a, const Vec2& at_b, co
     });
   };
   const Sign beside = decide([&](const auto& number) { return cross(from(number), way(number)); });
-  const Vec2 ahead = unit(b.velocity - a.velocity);
+  const Vec2 way_ahead = b.velocity - a.velocity;
+  const Vec2 ahead = unit(way_ahead.allFinite() ? way_ahead : 0.5 * b.velocity - 0.5 * a.velocity);
   const double sine = std::sqrt(share(true)) * static_cast<int>(beside);
   return -std::sqrt(share(false)) * ahead - sine * Vec2(-ahead.y(), ahead.x());
 }
