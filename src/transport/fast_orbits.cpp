@@ -268,9 +268,9 @@ std::string FastOrbits::look_for_obstacle() const {
   const double size = bounds_of(walls).size().maxCoeff();
   if (!(size > kLeastRoom && size < kLargestRoom)) return "the room is too small or too large";
   const auto slender = [&](const Arc& wall) {
-    const double squares = wall.curve.u.squaredNorm() + wall.curve.v.squaredNorm();
-    const double area = std::fabs(cross(wall.curve.u, wall.curve.v));
-    return !(size * std::sqrt(squares) * squares <= kMostSlender * area * area);
+    const double length = std::sqrt(wall.curve.u.squaredNorm() + wall.curve.v.squaredNorm());
+    const double width = std::fabs(cross(wall.curve.u, wall.curve.v)) / length;
+    return !(size / width * (length / width) <= kMostSlender);
   };
   return std::ranges::any_of(walls.arcs, slender) ? "a curve is too small or too thin for the room"
                                                   : "";
