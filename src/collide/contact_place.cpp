@@ -14,6 +14,11 @@ const Vec2& vertex(const MovingBody& body, int k) {
   return body.vertices[static_cast<std::size_t>(k)];
 }
 
+// Whither b goes as seen from a, also where the way is beyond the doubles.
+Vec2 heading(const MovingBody& a, const MovingBody& b) {
+  const Vec2 way = b.velocity - a.velocity;
+  return unit(way.allFinite() ? way : 0.5 * b.velocity - 0.5 * a.velocity);
+}
 Vec2 turned_right(const Vec2& along) { return unit({along.y(), -along.x()}); }
 
 // Of an edge of positive length; of a core without area any tells the line.
@@ -42,8 +47,7 @@ Vec2 normal_of_discs(const Vec2& at_a, const MovingBody& a, const Vec2& at_b, co
     });
   };
   const Sign beside = decide([&](const auto& number) { return cross(from(number), way(number)); });
-  const Vec2 way_ahead = b.velocity - a.velocity;
-  const Vec2 ahead = unit(way_ahead.allFinite() ? way_ahead : 0.5 * b.velocity - 0.5 * a.velocity);
+  const Vec2 ahead = heading(a, b);
   const double sine = std::sqrt(share(true)) * static_cast<int>(beside);
   return -std::sqrt(share(false)) * ahead - sine * Vec2(-ahead.y(), ahead.x());
 }
@@ -74,7 +78,7 @@ ContactPlace contact_place(const ContactFeature& feature, const MovingBody& a, c
   }
   Vec2 normal = edge_normal((edge_of_a ? a : b).vertices, static_cast<std::size_t>(edge));
   // Out of the first: against the way in which it is met.
-  if (normal.dot(unit(a.velocity - b.velocity)) < 0) normal = -normal;
+  if (normal.dot(heading(b, a)) < 0) normal = -normal;
   return edge_of_a ? place_on_b(b, vertex(b, other), t, normal)
                    : place_on_a(a, vertex(a, other), t, normal);
 }

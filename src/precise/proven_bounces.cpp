@@ -7,9 +7,9 @@ namespace flatray {
 
 Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
                       std::span<const Material> materials) {
-  const bool at_once = orbit.bounces.empty() && orbit.crossings.empty();
-  const bool is_rounded = orbit.end != OrbitEnd::escape && orbit.end != OrbitEnd::limit;
-  if (at_once && !(is_rounded && orbit.end_point != orbit.start)) return {0, true};
+  const bool is_exact = orbit.end == OrbitEnd::escape || orbit.end == OrbitEnd::limit ||
+                        orbit.end_point == orbit.start;  // no place was rounded
+  if (orbit.bounces.empty() && orbit.crossings.empty() && is_exact) return {0, true};
   const PeriodicWalls periodic(walls, materials);
   Proof proof = prove<Bounded>(walls, periodic, orbit, kBounded);
   constexpr int kFirstBits = 256, kLastBits = 2048;

@@ -286,6 +286,7 @@ void FastOrbits::add(std::uint32_t surface, double (&record)[Record::kRecord]) {
 // Those whose line has all of the room on one side, or the others.
 void FastOrbits::add_segments(bool hull) {
   const Surfaces& walls = exact_.surfaces();
+  const double rounding = kRounding / kUndecided * walls_.near;
   for (std::size_t i = 0; i < walls.segments.size(); ++i) {
     const auto& [a, b] = walls.segments[i];
     const Vec2 way = b - a, middle = 0.5 * a + 0.5 * b;
@@ -293,7 +294,6 @@ void FastOrbits::add_segments(bool hull) {
     const Vec2 along = way / length;
     Vec2 normal(along.y(), -along.x());
     const auto reach_beyond = [&](const Vec2& out) { return reach(out) - out.dot(middle); };
-    const double rounding = kRounding / kUndecided * walls_.near;
     if (reach_beyond(normal) > rounding && reach_beyond(-normal) <= rounding) normal = -normal;
     if ((closed_ && reach_beyond(normal) <= rounding) != hull) continue;
     double record[Record::kRecord] = {};

@@ -103,14 +103,6 @@ Result<std::vector<Question>> read_questions(const Options& options, const Scene
   });
 }
 
-// Every entity that a question names, once, by number.
-std::vector<std::uint32_t> asked_about(const std::vector<Question>& questions) {
-  std::set<std::uint32_t> entities;
-  for (const Question& question : questions)
-    entities.insert(question.against.begin(), question.against.end());
-  return {entities.begin(), entities.end()};
-}
-
 // The entities of a question: those it is against, and of --op difference all others then.
 std::vector<std::uint32_t> operands_of(const std::optional<HitOperation>& operation,
                                        const Question& question, const Scene& scene) {
@@ -119,6 +111,17 @@ std::vector<std::uint32_t> operands_of(const std::optional<HitOperation>& operat
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
     if (i != question.against.front() && question.from != i) entities.push_back(i);
   return entities;
+}
+
+// Every entity that a question is about, once, by number.
+std::vector<std::uint32_t> asked_about(const Options& options, const Scene& scene,
+                                       const std::vector<Question>& questions) {
+  std::set<std::uint32_t> entities;
+  for (const Question& question : questions) {
+    const std::vector<std::uint32_t> asked = operands_of(options.operation, question, scene);
+    entities.insert(asked.begin(), asked.end());
+  }
+  return {entities.begin(), entities.end()};
 }
 
 tl::unexpected<Diagnostics> nothing_to_clip(const Options& options) {
@@ -157,13 +160,8 @@ Result<VerbOutput> show_sets(const Options& options, const Scene& scene, const F
 // Of the entities asked about, what no ray is clipped to: nobody may take silence for a miss.
 void tell_left_out(const Options& options, const Scene& scene,
                    const std::vector<Question>& questions) {
-  std::set<std::uint32_t> entities;
-  for (const Question& question : questions) {
-    const std::vector<std::uint32_t> asked = operands_of(options.operation, question, scene);
-    entities.insert(asked.begin(), asked.end());
-  }
   Diagnostics warnings;
-  for (const std::uint32_t number : entities) {
+  for (const std::uint32_t number : asked_about(options, scene, questions)) {
     const Entity& entity = scene.entities[number];
     if (!scene.shapes[entity.shape].crossing_rings.empty())
       warnings.push_back({entity.where,
@@ -197,7 +195,7 @@ Result<VerbOutput> run(const Options& options) {
           reports.push_back(std::move(report));
   if (reports.empty()) return nothing_to_clip(options);
   if (options.has("svg"))
-    return VerbOutput{{svg_of(*scene, *state, asked_about(*questions), reports)}};
+    return VerbOutput{{svg_of(*scene, *state, asked_about(options, *scene, *questions), reports)}};
   return show(reports);
 }
 

@@ -167,10 +167,11 @@ std::vector<ChainLeg> legs_of(const Chain& chain) {
     const Vec2 &a = chain.points[i], &b = chain.points[i + 1 < count ? i + 1 : 0];
     const Vec2 along = b - a;
     const double length = size_of(along);
+    const Vec2 ahead = unit(along);
     if (!chain.ahead.empty())
       legs.push_back({a, b, chain.ahead[2 * i], chain.ahead[2 * i + 1], length});
     else if (length > 0)
-      legs.push_back({a, b, unit(along), unit(along), length});
+      legs.push_back({a, b, ahead, ahead, length});
   }
   return legs;
 }

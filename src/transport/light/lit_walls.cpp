@@ -97,9 +97,14 @@ bool LitWalls::all_absorb(const LightRay& ray, const LightHit& met) const {
   return !scatter && !taken_by(materials_, corner).empty();
 }
 
-std::optional<Vec2> LitWalls::beyond(const LightHit& met) const {
-  if (met.offset != 0) return Vec2(met.point - met.offset * met.normal);
-  return exact_origins_.across(met.point, met.hit.surface, side(met));
+bool LitWalls::goes_beyond(Ray& ray, const LightHit& met) const {
+  if (met.offset != 0) {
+    ray.origin = met.point - met.offset * met.normal;
+    return true;
+  }
+  const auto there = exact_origins_.across(met.point, met.hit.surface, side(met));
+  if (there) ray.origin = *there;
+  return there.has_value();
 }
 
 bool LitWalls::sets_off_from(LightRay& ray, const LightHit& met, bool stays) const {
@@ -109,10 +114,7 @@ bool LitWalls::sets_off_from(LightRay& ray, const LightHit& met, bool stays) con
   if (met.offset == 0) {
     const bool back = leads_away(walls_, surface, side(met), met.point, direction);
     if (stays && !back) return false;
-    if (const auto there = back ? met.point : beyond(met))
-      ray.ray.origin = *there;
-    else
-      return false;
+    if (!back && !goes_beyond(ray.ray, met)) return false;
     ray.departed = {surface, root_stood_on(walls_, surface, ray.ray)};
     return !runs_along(walls_, ray.departed, direction);
   }
@@ -141,8 +143,7 @@ bool LitWalls::leaves(LightRay& ray, const LightHit& met, const Departure& depar
       return false;
     case Departure::Way::through:
       ray.departed = {surface, met.hit.root};
-      if (const auto there = beyond(met)) return ray.ray.origin = *there, true;
-      return false;
+      return goes_beyond(ray.ray, met);
     case Departure::Way::mirrored:
       ray.departed = {surface, root_departed_by(met.hit.root)};
       return mirrors(ray.ray, met);

@@ -57,7 +57,7 @@ class LitWalls {
     return scatterers_[surface] == nullptr ? nullptr : scatterers_[surface]->shares();
   }
   /// From where light goes on behind a wall that it has met.
-  std::optional<Vec2> beyond(const LightHit& met) const;
+  bool goes_beyond(Ray& ray, const LightHit& met) const;
   /// Makes `ray`, whose direction is set, one that sets off from where light met a wall; false where it
   /// would run along the wall, or, where it `stays`, to the other side.
   bool sets_off_from(LightRay& ray, const LightHit& met, bool stays) const;
