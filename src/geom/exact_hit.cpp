@@ -131,9 +131,10 @@ PlaceOn ExactHit::place_in(const Arc& arc) const {
                        [&](const Vec2& p, const Vec2& a, const Vec2& b) { return turn(p, a, b); });
 }
 
-bool ExactHit::touches(const Arc& arc) const {
-  return decide([&](const auto& number) { return curve_time(number, ray_, arc.curve).q; }) ==
-         Sign::zero;
+std::optional<Sign> ExactHit::touched_side(const Arc& arc) const {
+  const Sign chord =
+      decide([&](const auto& number) { return curve_time(number, ray_, arc.curve).q; });
+  return chord == Sign::zero ? std::optional(Sign::positive) : std::nullopt;
 }
 
 PlaceOn ExactHit::place_on(const Arc& arc) const {

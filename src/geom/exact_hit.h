@@ -49,8 +49,11 @@ class ExactHit {
   PlaceOn place_on(const Segment& segment) const;
   PlaceOn place_on(const Arc& arc) const;
   PlaceOn place_on(const Bezier& wall) const;
-  /// Whether the ray only touches the curve of an arc. Exact.
-  bool touches(const Arc& arc) const;
+  /// The side on which the ray passes by a wall that it only touches, of an arc by its curve; none where it
+  /// crosses it. Exact.
+  std::optional<Sign> touched_side(const Arc& arc) const;
+  std::optional<Sign> touched_side(const Segment&) const { return std::nullopt; }
+  std::optional<Sign> touched_side(const Bezier&) const { return std::nullopt; }
   /// Its place in the cone of an arc: on the arc itself, if that is of the curve it hits. Exact.
   PlaceOn place_in(const Arc& arc) const;
   PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }

@@ -24,10 +24,10 @@ struct Refraction {
 /// Snell's law and Fresnel's equations; nullopt: all is reflected.
 ///
 /// Needs   `ratio` of the index it comes from to the other, above 0; the cosine of its incidence, above 0.
-/// Error   some ulps of 1 in the square of `beyond`. Where they decide, near the critical angle, it is near 0 and
-///         next to all is reflected either way.
+/// Error   some ulps of (ratio cosine)^2 and of |1 - ratio^2| in the square of `beyond`. Where they decide, near the
+///         critical angle, it is near 0 and next to all is reflected either way.
 inline std::optional<Refraction> refraction(double ratio, double cosine) {
-  const double square = 1 - ratio * ratio * (1 - cosine) * (1 + cosine);  // of the other cosine
+  const double square = (1 - ratio) * (1 + ratio) + ratio * cosine * (ratio * cosine);  // of beyond
   if (!(square > 0)) return std::nullopt;
   const double beyond = std::sqrt(square);
   const double s = (ratio * cosine - beyond) / (ratio * cosine + beyond);

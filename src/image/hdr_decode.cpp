@@ -97,7 +97,8 @@ Result<LinearImage> decode_hdr(std::span<const std::byte> file, const std::strin
       return wrong("HDR ends in the middle or is damaged", "write or copy it again");
     for (const Quad& pixel : row)
       for (std::size_t c = 0; c < 3; ++c)
-        image.pixels.push_back(std::ldexp(static_cast<float>(pixel[c]), pixel[3] - 136));
+        image.pixels.push_back(
+            pixel[3] == 0 ? 0 : std::ldexp(static_cast<float>(pixel[c]), pixel[3] - 136));
   }
   return image;
 }

@@ -55,14 +55,20 @@ Diagnostic against_backward(const Place& where, std::string message) {
 
 }  // namespace
 
-std::set<double> key_times(const Scene& scene, const KeptArguments& kept) {
-  std::set<double> times;
+std::set<CurveId> curves_of(const KeptArguments& kept) {
+  std::set<CurveId> all;
   for (const KeptArguments::Argument& argument : kept.arguments)
     for (const Moving& number : argument.numbers)
-      if (number.curve) {
-        const std::vector<double>& keys = scene.curves[*number.curve].times;
-        times.insert(keys.begin(), keys.end());
-      }
+      if (number.curve) all.insert(*number.curve);
+  return all;
+}
+
+std::set<double> key_times(const Scene& scene, const KeptArguments& kept) {
+  std::set<double> times;
+  for (const CurveId curve : curves_of(kept)) {
+    const std::vector<double>& keys = scene.curves[curve].times;
+    times.insert(keys.begin(), keys.end());
+  }
   return times;
 }
 

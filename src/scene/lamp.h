@@ -34,7 +34,8 @@ std::vector<const LampLight*> lights_of(const Lamp& lamp);
 /// along itself as bright as one likes, and paths come to it there by chance.
 std::optional<Diagnostic> why_noisy_backward(const Scene& scene);
 
-/// Times in seconds at which curves of arguments have keys.
+/// The curves of arguments, and the times in seconds at which these have keys.
+std::set<CurveId> curves_of(const KeptArguments& kept);
 std::set<double> key_times(const Scene& scene, const KeptArguments& kept);
 
 /// Registered kinds by name.

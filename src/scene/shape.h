@@ -9,6 +9,8 @@ struct ShapeType {
   const char* name;
   std::span<const KeyInfo> keys;
   Result<Shape> (*build)(Args&);
+  /// Whether one number alone may be right at two times and wrong in between.
+  bool fails_between = false;
 };
 
 /// Registered kinds by name.

@@ -70,6 +70,7 @@ FilteredHit filter_roots(const Ray& ray, const Bezier& wall, double least) {
   if (wall.extent == Arc::Extent::between)
     for (const Vec2& end : {wall.from, wall.to})
       if (!passes_by_joint(ray, wall.curve, end)) return kOpen;
+  if (left == Root::both) return kMissed;
   const auto time = curve_time(kNear, ray, wall.curve);
   const auto chord = time.q.sign();
   if (chord == Sign::negative) return kMissed;

@@ -53,9 +53,9 @@ template <class Exact>
 ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const Exact& hit) const {
   return walls_.visit(surface, [&](const auto& wall) -> NearWall {
     const PlaceOn place = hit.place_on(wall);
-    if constexpr (std::is_same_v<std::decay_t<decltype(wall)>, Arc>)
-      if (place == PlaceOn::inner && hit.touches(wall))  // it is passed by, outside
-        return {surface, Sign::positive, false, hit.place_in(wall)};
+    if (place == PlaceOn::inner)
+      if (const auto side = hit.touched_side(wall))  // it is passed by
+        return {surface, *side, false, hit.place_in(wall)};
     return {surface, hit.side_of(wall), place != PlaceOn::outside, hit.place_in(wall)};
   });
 }

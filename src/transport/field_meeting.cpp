@@ -186,7 +186,36 @@ PlaceOn FieldMeeting::place_in(const Arc& wall) const {
 }
 
 PlaceOn FieldMeeting::place_on(const Arc& wall) const {
-  return side_of(wall) == Sign::zero ? place_in(wall) : PlaceOn::outside;
+  const Sign side = side_of(wall);
+  if (side == Sign::zero) return place_in(wall);
+  if (wall.extent != Arc::Extent::between) return PlaceOn::outside;
+  const Vec2& centre = wall.curve.centre;
+  const auto joins = [&](const Vec2& end) {
+    return turn(centre, centre, end) == Sign::zero && is_on_joint(wall, side, end);
+  };
+  return joins(wall.from) || joins(wall.to) ? PlaceOn::at_end : PlaceOn::outside;
+}
+
+// Of a point on the line through an end and the centre, on that side of the curve.
+bool FieldMeeting::is_on_joint(const Arc& wall, Sign side, const Vec2& end) const {
+  const Vec2& centre = wall.curve.centre;
+  return curve_side(end, wall.curve) == side && ahead(centre, centre, end) == Sign::positive &&
+         ahead(end, centre, end) != side;
+}
+
+// It stays on the side that it starts on.
+template <class Wall>
+std::optional<Sign> FieldMeeting::touched_side(const Wall& wall, const CrossedWall& crossed) const {
+  const Sign crosses =
+      soon([&](const auto& number) { return discriminant(crossed.form(number, flight_)); });
+  return crosses == Sign::zero ? std::optional(flatray::side_of(wall, flight_.ray.origin))
+                               : std::nullopt;
+}
+std::optional<Sign> FieldMeeting::touched_side(const Segment& wall) const {
+  return touched_side(wall, {wall});
+}
+std::optional<Sign> FieldMeeting::touched_side(const Arc& wall) const {
+  return touched_side(wall, {{}, &wall.curve});
 }
 
 namespace {
@@ -216,11 +245,8 @@ class FirstMet {
   void look_at_joint(const Arc& wall, const Vec2& end) {
     const Sign side = curve_side(end, wall.curve);
     if (side == Sign::zero) return;
-    const Vec2& centre = wall.curve.centre;
-    offer({{centre, end}}, [&](const FieldMeeting& met) {
-      const bool joins = met.side_of(wall) == side &&
-                         met.ahead(centre, centre, end) == Sign::positive &&
-                         met.ahead(end, centre, end) != side;
+    offer({{wall.curve.centre, end}}, [&](const FieldMeeting& met) {
+      const bool joins = met.side_of(wall) == side && met.is_on_joint(wall, side, end);
       return joins ? PlaceOn::at_end : PlaceOn::outside;
     });
   }

@@ -65,10 +65,14 @@ class FieldMeeting {
   PlaceOn place_on(const Segment& wall) const;
   PlaceOn place_on(const Arc& wall) const;
   PlaceOn place_on(const Bezier&) const { return PlaceOn::outside; }
-  bool touches(const Arc&) const { return false; }  // not told apart
+  std::optional<Sign> touched_side(const Segment& wall) const;
+  std::optional<Sign> touched_side(const Arc& wall) const;
+  std::optional<Sign> touched_side(const Bezier&) const { return std::nullopt; }
   PlaceOn place_in(const Arc& wall) const;
   PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }
   PlaceOn place_in(const Bezier&) const { return PlaceOn::at_end; }
+  /// Whether it lies on what joins an end of an arc to its curve, on whose line and side it does. Exact.
+  bool is_on_joint(const Arc& wall, Sign side, const Vec2& end) const;
   /// Where between the ends of a segment it lies, on whose line it does. Exact.
   PlaceOn between_ends(const Segment& wall) const;
 
@@ -76,6 +80,8 @@ class FieldMeeting {
   template <class Make>
   auto root(const Make& number) const;
   Quadratic exact() const;
+  template <class Wall>
+  std::optional<Sign> touched_side(const Wall& wall, const CrossedWall& crossed) const;
   template <class Form>
   Sign sign_at(const Form& form) const;
   double rounded(int axis, double about) const;

@@ -44,6 +44,11 @@ says err "1 frame written, 5 kept"
 same_manifest out fresh "torn manifest"
 (($(wc -l < out/timings.jsonl) == 6)) || fail "timings of $(wc -l < out/timings.jsonl) frames, not of 6"
 
+printf '{"frame":' >> out/manifest.jsonl
+run 0 render box.toml -o 'out/f_####.png' --resume
+says err "0 frames written, 6 kept"
+same_manifest out fresh "torn manifest with nothing to draw"
+
 # Timings stay where their frames do.
 rm out/f_0004.png
 run 0 render box.toml -o 'out/f_####.png' --resume

@@ -4,6 +4,7 @@
 
 #include "base/philox.h"
 #include "geom/exact.h"
+#include "geom/refract.h"
 
 namespace flatray {
 namespace {
@@ -46,6 +47,19 @@ TEST(Reflect, TwiceIsTheSameWithinRounding) {
     const Vec2 d(draw(i, 4), draw(i, 5)), e(draw(i, 6), draw(i, 7));
     EXPECT_LE((reflect(reflect(d, e), e) - d).norm(), 4 * 0x1p-53 * d.norm());
   }
+}
+
+// Found by a reviewer: between equal indices nothing is reflected, however it grazes.
+TEST(Refraction, OfMediaAlikeGoesStraightOn) {
+  for (const double cosine : {1.0, 0.5, 5e-9, 1e-150}) {
+    const auto same = refraction(1, cosine);
+    ASSERT_TRUE(same);
+    EXPECT_EQ(same->beyond, cosine);
+    EXPECT_EQ(same->reflected, 0);
+  }
+  const auto denser = refraction(1 - 0x1p-52, 5e-9);  // 2 (1 - ratio) and cosine^2, to some parts in 10^16
+  ASSERT_TRUE(denser);
+  EXPECT_DOUBLE_EQ(denser->beyond, std::sqrt(0x1p-51 + 2.5e-17));
 }
 
 }  // namespace

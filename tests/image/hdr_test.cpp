@@ -73,6 +73,13 @@ TEST(Hdr, WhatIsWrittenIsRead) {
   }
 }
 
+// Found by a reviewer: an exponent of 0 is that of black, whatever stands before it.
+TEST(Hdr, AnExponentOfNothingIsBlack) {
+  std::vector<std::byte> bytes = encode_hdr({1, 1, {0.5F, 0.5F, 0.5F}});
+  bytes.back() = std::byte{0};
+  EXPECT_EQ(decode_hdr(bytes, "a.hdr")->pixels, std::vector<float>(3, 0.0F));
+}
+
 TEST(Hdr, WhatIsCutShortOrDamagedIsRefused) {
   const std::vector<std::byte> whole = encode_hdr(ramp(20, 4));
   for (std::size_t size = 0; size < whole.size(); ++size)

@@ -8,6 +8,7 @@
 #include "full_counts.h"
 #include "geom/decide.h"
 #include "trace/all_tracers.h"
+#include "trace/curve_filter.h"
 
 namespace flatray {
 namespace {
@@ -246,6 +247,21 @@ TEST(CellsOfCurves, TheJointBesideTheRootThatIsLeftIsMet) {
   Surfaces beside;
   beside.add(part_of({{0, 0}, 1}, {1, 0}, {0, 1 + 0x1p-42}));
   expect_exact(beside, {{0x1p-44, 1}, {-1, 1}}, {0, Root::second});
+}
+
+// Found by a reviewer: so was what joins an end to the curve, by a ray along a tangent.
+TEST(CellsOfCurves, TheJointAheadOfATangentThatIsLeftIsMet) {
+  Surfaces walls;
+  walls.add(part_of({{0, 0}, 5}, {15, 0}, {0, 15}));
+  const Ray tangent{{3, 4}, {4, -3}};
+  expect_exact(walls, tangent, {0, Root::both});
+  ExactNearest search(walls, tangent, {0, Root::both}, true);
+  search.offer_all();
+  const NearestHit hit = search.hit();
+  EXPECT_TRUE(hit.at_end);
+  EXPECT_EQ(hit.root, Root::none);
+  EXPECT_DOUBLE_EQ(hit.t, 4.0 / 3);
+  EXPECT_EQ(filter_curve(tangent, walls.arcs[0], Root::both).verdict, FilteredHit::Verdict::open);
 }
 
 // Found by a reviewer: rounded into cells, the ends of nearly a whole turn may change their order.

@@ -110,6 +110,23 @@ TEST(StadiumOrbit, AnEndOfAHalfCircleIsACorner) {
   EXPECT_EQ(open.bounces[1].point, Vec2(-2, 0));
 }
 
+// Found by a reviewer: the arc was passed by where the segment had the lower number, and the point told was its end.
+TEST(ArcOrbit, WhatJoinsAnEndOffTheCurveMakesACornerWithWhatCrossesIt) {
+  const Arc arc{Circle{{0, 0}, 1}, Arc::Extent::between, {3, 0}, {0, 3}};
+  const Segment across{{2, -1}, {2, 1}};
+  for (const bool arc_first : {true, false}) {
+    Surfaces walls;
+    if (arc_first) walls.add(arc);
+    walls.add(across);
+    if (!arc_first) walls.add(arc);
+    const Orbit orbit = in_mirrors(walls, {{4, 1}, {-2, -1}}, 10);
+    EXPECT_EQ(orbit.end, OrbitEnd::corner);
+    EXPECT_EQ(orbit.bounces.size(), 0U);
+    EXPECT_EQ(orbit.end_point, Vec2(2, 0));
+    EXPECT_EQ(orbit.end_surfaces, (std::vector<std::uint32_t>{0, 1}));
+  }
+}
+
 // C23 among curves: the way back meets the same walls.
 TEST(StadiumOrbit, IsRetracedBackwards) {
   Draws draw(51);

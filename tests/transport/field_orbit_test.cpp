@@ -40,6 +40,35 @@ TEST(FieldOrbit, SkipsAlongAStraightWallInEqualSteps) {
   }
 }
 
+// The circle of radius 5 about 0 touches the disc in (3, 4), where it crosses the wall; what joins the end (6, 8)
+// to the other circle is crossed there.
+TEST(FieldOrbit, PassesByWhatItTouchesInOnePointAndEndsOnAJoint) {
+  const Ray start{{5, 0}, {0, 5}};
+  const Segment wall{{2, 4}, {4, 4}};
+  for (const Circle& touched : {Circle{{6, 8}, 5}, Circle{{1.5, 2}, 2.5}})
+    for (const bool wall_first : {true, false}) {
+      Surfaces walls;
+      if (!wall_first) walls.add(touched);
+      walls.add(wall);
+      if (wall_first) walls.add(touched);
+      const Orbit orbit = in_field(walls, start, 1, 0.2);
+      ASSERT_EQ(orbit.bounces.size(), 1U) << touched.radius << wall_first;
+      EXPECT_EQ(orbit.bounces[0].surface, wall_first ? 0U : 1U);
+      EXPECT_NEAR((orbit.bounces[0].point - Vec2(3, 4)).norm(), 0, 1e-15);
+    }
+  for (const bool wall_first : {true, false}) {
+    Surfaces walls;
+    const Arc joined{Circle{{0, 0}, 1}, Arc::Extent::between, {6, 8}, {-1, 0}};
+    if (!wall_first) walls.add(joined);
+    walls.add(wall);
+    if (wall_first) walls.add(joined);
+    const Orbit orbit = in_field(walls, start, 1, 0.2);
+    EXPECT_EQ(orbit.end, OrbitEnd::corner) << wall_first;
+    EXPECT_EQ(orbit.end_point, Vec2(3, 4));
+    EXPECT_EQ(orbit.end_surfaces, (std::vector<std::uint32_t>{0, 1}));
+  }
+}
+
 // Past the end of a lone wall it comes round, and meets the wall from behind where it left it.
 TEST(FieldOrbit, ComesRoundToTheWallItLeft) {
   Surfaces walls;

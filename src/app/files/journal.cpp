@@ -81,6 +81,12 @@ Result<void> Journal::merge(const Change& change) const {
   return write_file(path_, *changed);
 }
 
+Result<void> Journal::mend() const {
+  FLATRAY_TRY(text, read_regular_file(path_));
+  if (text->empty() || text->back() == '\n') return {};
+  return merge([](const std::string& whole) -> Result<std::string> { return whole; });
+}
+
 Result<void> Journal::add(const std::string& lines, const Step& first, Flush flush) const {
   FLATRAY_TRY(file, lock());
   if (first)

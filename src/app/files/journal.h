@@ -32,6 +32,9 @@ class Journal {
   using Change = std::function<Result<std::string>(const std::string& text)>;
   Result<void> merge(const Change& change) const;
 
+  /// Takes away what a full disk or a kill left of a line; nothing is written where there is none.
+  Result<void> mend() const;
+
   /// Adds lines, `first` having been done under the same lock. With Flush::later the machine may
   /// stop before they are kept.
   using Step = std::function<Result<void>()>;

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <map>
 
+#include "app/files/journal.h"
+#include "app/files/manifest.h"
 #include "app/interrupt.h"
 #include "app/report/report.h"
 #include "base/counted.h"
@@ -88,7 +90,12 @@ class Run {
         return fail(named_place(link->string()), "is a link, and a scene's name led to it",
                     "remove it, or write the folder out in -o", Trouble::output);
       remove_leftovers(job.folder());
-      if (work.frames.empty()) continue;
+      if (work.frames.empty()) {
+        for (const std::filesystem::path& manifest : manifests_in(job.folder())) {
+          FLATRAY_TRY(mended, Journal(manifest).mend());
+        }
+        continue;
+      }
       if (job.light.error_image)
         for (const unsigned frame : work.frames) {
           FLATRAY_TRY(allowed, outputs.allow(job.light.error_image->path(job.name, frame),

@@ -25,10 +25,20 @@ double reach_of(const Arc& arc) {
   return reach * (1 + 0x1p-48);
 }
 
-// Whether a curve surely passes outside the box of half sides `reach` about `point`.
-bool curve_passes_far(const Ellipse& wall, const Vec2& point, const Vec2& reach) {
+// On which side of a curve the box of half sides `reach` about `point` surely lies.
+std::optional<Sign> side_of_box(const Ellipse& wall, const Vec2& point, const Vec2& reach) {
+  return curve_power(kNear, wall, within(point, reach) - pair_of(kNear, wall.centre)).sign();
+}
+
+// Whether what joins an end of an arc to its curve may come into the box: it lies on the line from the
+// centre, beyond the curve and not beyond the end, or the other way round.
+bool joint_passes_near(const Ellipse& wall, const Vec2& end, const Vec2& point, const Vec2& reach) {
+  if (line_passes_far({wall.centre, end}, point, reach)) return false;
   const auto from = within(point, reach) - pair_of(kNear, wall.centre);
-  return curve_power(kNear, wall, from).sign().has_value();
+  const auto way = pair_of(kNear, end) - pair_of(kNear, wall.centre);
+  if (dot(from, way).sign() == Sign::negative) return false;
+  const auto beyond_end = dot(from - way, way).sign(), beyond_curve = side_of_box(wall, point, reach);
+  return !beyond_end || !beyond_curve || *beyond_end != *beyond_curve;
 }
 
 // Whether an arc surely ends before it comes into the box: on the outer side of one end's line and
@@ -136,7 +146,10 @@ Bounds bounds_of(const Arc& wall) {
 }
 
 bool passes_near(const Arc& wall, const Vec2& point, const Vec2& reach) {
-  return !curve_passes_far(wall.curve, point, reach) && !ends_before(wall, point, reach);
+  if (!side_of_box(wall.curve, point, reach) && !ends_before(wall, point, reach)) return true;
+  return wall.extent == Arc::Extent::between &&
+         (joint_passes_near(wall.curve, wall.from, point, reach) ||
+          joint_passes_near(wall.curve, wall.to, point, reach));
 }
 
 namespace {
@@ -158,6 +171,7 @@ void meet(const Arc& wall, const Ray& ray, const MeetingRules& rules,
     for (const Vec2& end : {wall.from, wall.to})
       if (const auto time = joint_met(wall, ray, end))
         met.push_back({*time, HitClass::touch, Root::none, true});
+  if (rules.stood_on == Root::both) return;
   const auto hit = hit_curve(ray, wall.curve);
   if (!hit) return;
   const auto add = [&](const HitTime& time, HitClass kind, Root root, bool inner) {
@@ -184,14 +198,16 @@ bool is_crossed(const Arc& wall, const Ray& ray) {
   return hit && !hit->tangent;
 }
 
-// The end of an arc that a ray arrives at; of two at the same time the first.
+// Of two ends at the same time the first; of what joins one to the curve the point met.
 Vec2 end_met(const Arc& arc, const Ray& ray, Root root) {
   const Vec2& centre = arc.curve.centre;
   if (root == Root::none) {
     for (const Vec2& end : {arc.from, arc.to})
       if (is_on_joint(arc.curve, end, ray.origin)) return ray.origin;
     const auto from = joint_met(arc, ray, arc.from), to = joint_met(arc, ray, arc.to);
-    return from && (!to || compare(*from, *to) <= 0) ? arc.from : arc.to;
+    const Vec2& end = from && (!to || compare(*from, *to) <= 0) ? arc.from : arc.to;
+    if (side_of_ray(ray, end) == Sign::zero) return end;
+    return ExactHit(ray, Segment{centre, end}).nearest();
   }
   const ExactHit exact(ray, arc, root);
   if (arc.extent == Arc::Extent::half) return exact.nearest();

@@ -71,7 +71,9 @@ void meet(const Bezier& wall, const Ray& ray, const MeetingRules& rules,
           std::vector<WallMeeting>& met);
 /// Whether a ray that has left a wall in a root cannot meet that wall again.
 constexpr bool is_departed_for_good(const Segment&, Root) { return true; }
-constexpr bool is_departed_for_good(const Arc&, Root left) { return left == Root::both; }
+constexpr bool is_departed_for_good(const Arc& wall, Root left) {
+  return left == Root::both && wall.extent != Arc::Extent::between;  // what joins its ends is met
+}
 inline bool is_departed_for_good(const Bezier&, Root) { return false; }
 /// Whether the line of a ray crosses the wall's line, or the wall's curve in two points. Exact.
 bool is_crossed(const Segment& wall, const Ray& ray);
@@ -88,7 +90,7 @@ inline HitTime time_met(const Arc& wall, const Ray& ray, Root root) {
 HitTime time_met(const Bezier& wall, const Ray& ray, Root root);
 
 /// The end of a wall that a ray meets; where it meets both, as those of a segment along the ray,
-/// the first. Needs   a ray that is known to meet an end.
+/// the first. Of what joins an end of an arc to its curve the nearest doubles of the point met. Needs   a ray that is known to meet an end.
 Vec2 end_met(const Segment& wall, const Ray& ray, Root root);
 Vec2 end_met(const Arc& wall, const Ray& ray, Root root);
 Vec2 end_met(const Bezier& wall, const Ray& ray, Root root);

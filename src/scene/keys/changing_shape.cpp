@@ -17,20 +17,11 @@ namespace {
 
 constexpr std::size_t kNumbersOfAPoint = 2;
 
-// The curves of a shape's numbers.
-std::set<CurveId> curves_of(const ChangingShape& changing) {
-  std::set<CurveId> all;
-  for (const ChangingShape::Argument& argument : changing.arguments)
-    for (const Moving& number : argument.numbers)
-      if (number.curve) all.insert(*number.curve);
-  return all;
-}
-
-// One number alone stays between its keys, where what is right at both is right: all bounds are
-// intervals. Outlines may cross in between, and of several numbers each goes its own way. That a
-// shape is not there at a key says nothing of what is right.
+// One number alone stays between its keys, where what is right at both is right, but of some shapes.
+// Outlines may cross in between, and of several numbers each goes its own way. That a shape is not
+// there at a key says nothing of what is right.
 bool may_fail_between_keys(const ChangingShape& changing, bool was_gone) {
-  return curves_of(changing).size() > 1 || was_gone ||
+  return changing.type->fails_between || curves_of(changing).size() > 1 || was_gone ||
          std::ranges::any_of(changing.arguments, [](const auto& argument) {
            return argument.numbers.size() > kNumbersOfAPoint;
          });
@@ -91,13 +82,8 @@ struct Trials {
   bool at_all_times() {
     const std::set<double> times = key_times(builder.scene, changing);
     if (!std::ranges::all_of(times, [&](double time) { return at(time); })) return false;
-    if (!may_fail_between_keys(changing, was_gone)) return true;
-    for (unsigned frame = 1; frame <= kLastFrame; ++frame) {  // any may be asked for
-      const double time = (frame - 1) / builder.scene.fps;
-      if (time >= *times.rbegin()) return true;
-      if (time > *times.begin() && !at(time)) return false;
-    }
-    return true;
+    return !may_fail_between_keys(changing, was_gone) ||
+           holds_in_frames_between(times, builder.scene.fps, [&](double time) { return at(time); });
   }
 };
 

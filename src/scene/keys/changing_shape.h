@@ -1,4 +1,7 @@
 #pragma once
+#include <set>
+
+#include "scene/keys/build_scene.h"
 #include "scene/keys/builder.h"
 
 namespace flatray {
@@ -12,6 +15,18 @@ namespace flatray {
 ///         shapes together.
 std::optional<ShapeId> build_changing_shape(Builder& builder, const ShapeType& type,
                                             const Field& arguments);
+
+/// Whether `holds(time)` in every frame between the first of `times` and the last, whichever is asked for; ends
+/// with the first in which it does not.
+template <class Holds>
+bool holds_in_frames_between(const std::set<double>& times, double fps, const Holds& holds) {
+  for (unsigned frame = 1; frame <= kLastFrame && !times.empty(); ++frame) {
+    const double time = (frame - 1) / fps;
+    if (time >= *times.rbegin()) return true;
+    if (time > *times.begin() && !holds(time)) return false;
+  }
+  return true;
+}
 
 /// The shape at a time in seconds; without anything in it where its numbers leave nothing.
 Shape shape_at(const Scene& scene, const ChangingShape& changing, double time);

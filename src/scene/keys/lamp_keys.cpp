@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/number_text.h"
+#include "scene/keys/changing_shape.h"
 #include "scene/keys/copies.h"
 #include "scene/keys/corner_limit.h"
 #include "scene/keys/look_keys.h"
@@ -26,21 +27,27 @@ void read_source(Builder& builder, const Field& field, Lamp& lamp) {
   lamp.source = {};
   Args args(builder, {std::string("lamp.") + kind->type->name, kind->arguments, "{ ... }"},
             kind->type->keys, &lamp.source);
-  const auto build_at = [&](double time, const std::string& when) {
+  bool was_gone = false;
+  const auto can_be_built = [&](double time, const std::string& when) {
     args.set_time(time);
     const auto made = kind->type->build(args);
+    was_gone |= args.gone();
     const bool may_vanish = args.gone() && has_curve(kind->arguments);
-    if (made || may_vanish || builder.in.problems.size() > problems) return;
-    for (Diagnostic one : made.error()) {
-      one.message += when;
-      builder.in.problems.push_back(std::move(one));
-    }
+    if (!made && !may_vanish && builder.in.problems.size() == problems)
+      for (Diagnostic one : made.error()) {
+        one.message += when;
+        builder.in.problems.push_back(std::move(one));
+      }
+    return builder.in.problems.size() == problems;
   };
-  build_at(0, "");
-  for (const double time : key_times(builder.scene, lamp.source)) {
-    if (builder.in.problems.size() > problems) return;
-    build_at(time, fmt::format(" at {} s", number_text(time)));
-  }
+  const auto can_be_at = [&](double time) {
+    return can_be_built(time, fmt::format(" at {} s", number_text(time)));
+  };
+  if (!can_be_built(0, "")) return;
+  const std::set<double> times = key_times(builder.scene, lamp.source);
+  if (!std::ranges::all_of(times, can_be_at)) return;
+  if (was_gone || curves_of(lamp.source).size() > 1)
+    (void)holds_in_frames_between(times, builder.scene.fps, can_be_at);
 }
 
 struct Limits {

@@ -42,7 +42,7 @@ Path measured(const FollowWords& words) {
       return;
     }
     const Vec2 edge = point - path.points.back();
-    const double length = path.lengths.back() + std::sqrt(edge.squaredNorm());
+    const double length = path.lengths.back() + size_of(edge);
     if (!(length > path.lengths.back())) return;
     path.points.push_back(point);
     path.lengths.push_back(length);

@@ -70,6 +70,14 @@ Copy place(const Scatter& scatter, std::uint64_t, const Draws& draws) {
   return {scatter.in.low + Vec2(u * size.x(), v * size.y()), 0};
 }
 
+// The largest coordinate of a copy's place.
+double farthest(const Grid& grid) {
+  const Vec2 most(static_cast<double>(grid.columns - 1), static_cast<double>(grid.rows - 1));
+  return most.cwiseProduct(grid.step).cwiseAbs().maxCoeff();
+}
+double farthest(const Ring& ring) { return std::fabs(ring.radius); }
+double farthest(const Scatter&) { return 0; }  // of points that were looked at
+
 }  // namespace
 
 std::optional<Repeat> read_repeat(Builder& builder, const Field& field) {
@@ -77,6 +85,10 @@ std::optional<Repeat> read_repeat(Builder& builder, const Field& field) {
   std::optional<Repeat> repeat;
   read_keys<std::optional<Repeat>>(builder, field.value, "repeat", kRepeatKeys, repeat);
   if (builder.in.problems.size() > problems) return std::nullopt;
+  if (repeat && std::visit([](const auto& kind) { return farthest(kind); }, *repeat) > kFarthest)
+    return builder.in.refuse({field.value.where,
+                              fmt::format("{} has copies beyond 1e300", field.name),
+                              "write numbers that keep them between -1e300 and 1e300"});
   if (field.value.members.size() == 1) return repeat;
   return builder.in.refuse(
       {field.value.where,

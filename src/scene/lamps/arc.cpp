@@ -7,6 +7,7 @@
 #include "geom/turn.h"
 #include "scene/lambert.h"
 #include "scene/lamp.h"
+#include "scene/outlines/arcs.h"
 
 namespace flatray::arc_lamp {
 namespace {
@@ -18,8 +19,8 @@ constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
 
 class Arc : public Emitter {
  public:
-  Arc(double radius, double from, double to, bool inward)
-      : radius_(radius), from_(from), sweep_(to - from), out_(inward ? -1 : 1) {}
+  Arc(double radius, double from, double sweep, bool inward)
+      : radius_(radius), from_(from), sweep_(sweep), out_(inward ? -1 : 1) {}
 
   Emitted emit(const double* u) const override {
     const Turn place = turn(from_ + u[1] * sweep_);
@@ -48,12 +49,14 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
   args.vanish(from == to);
   if (from == to)
     return fail(args.place("to"), "lamp.arc.to is where it begins", "write another angle");
-  if (!(std::abs(to - from) <= 360))
+  const bool is_whole = is_whole_turn(from, to);
+  if (!is_whole && !(std::abs(to - from) <= 360))
     return fail(args.place("to"),
                 fmt::format("lamp.arc.to is {} degrees from lamp.arc.from, more than a whole turn",
                             number_text(std::abs(to - from))),
                 "write degrees of which the difference is at most 360");
-  return std::make_unique<Arc>(radius, radians(from), radians(to), inward);
+  const double sweep = is_whole ? std::copysign(360, to - from) : to - from;
+  return std::make_unique<Arc>(radius, radians(from), radians(sweep), inward);
 }
 
 }  // namespace

@@ -74,7 +74,9 @@ Number nearest_double(std::uint64_t whole) {
 
 Number::Loss loss_of(std::string_view text, double value) {
   const std::optional<Decimal> decimal = parse_decimal(text);
-  if (value == 0 && !(decimal && decimal->digits.empty())) return Number::Loss::underflow;
+  const std::string_view mantissa = text.substr(0, text.find_first_of("eE"));
+  if (value == 0 && mantissa.find_first_of("123456789") != std::string_view::npos)
+    return Number::Loss::underflow;
   const bool written_out = text.find_first_of("eE") == std::string_view::npos;
   if (!decimal || !written_out || decimal->exponent < 0) return Number::Loss::none;
   if (decimal->digits.size() <= kChunkDigits) return Number::Loss::none;
@@ -87,6 +89,11 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
   const std::string plain = without_underscores(text);
   std::string_view rest = plain;
   Decimal decimal;
+  if (const auto whole = parse_prefixed(plain)) {
+    decimal.digits = std::to_string(*whole);
+    strip_zeros(decimal);
+    return decimal;
+  }
   decimal.negative = rest.starts_with('-');
   if (decimal.negative || rest.starts_with('+')) rest.remove_prefix(1);
   std::size_t digits = take_digits(rest, decimal.digits);
@@ -140,18 +147,12 @@ std::optional<Number> parse_literal(std::string_view text) {
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {
-  constexpr double kLimit = 0x1p63;
-  const std::string plain = without_underscores(text);
-  if (const auto whole = parse_prefixed(plain))
-    return *whole >> 63 == 0 ? std::optional(static_cast<std::int64_t>(*whole)) : std::nullopt;
-  const std::size_t sign = plain.starts_with('+') ? 1 : 0;
-  if (const auto value = parse_digits<std::int64_t>(std::string_view(plain).substr(sign)))
-    return value;
-  const std::optional<Number> number = parse_literal(plain);
-  if (!number || number->loss != Number::Loss::none || std::abs(number->value) >= kLimit ||
-      number->value != std::floor(number->value))
-    return std::nullopt;
-  return static_cast<std::int64_t>(number->value);
+  constexpr long kMostZeros = 18;
+  const std::optional<Decimal> decimal = parse_decimal(text);
+  if (!decimal || decimal->exponent < 0 || decimal->exponent > kMostZeros) return std::nullopt;
+  if (decimal->digits.empty()) return 0;
+  const std::string zeros(static_cast<std::size_t>(decimal->exponent), '0');
+  return parse_digits<std::int64_t>((decimal->negative ? "-" : "") + decimal->digits + zeros);
 }
 
 }  // namespace flatray

@@ -18,7 +18,7 @@ struct Decimal {
   bool operator==(const Decimal&) const = default;
 };
 
-/// Reads "12", "-0.50", "1_000.5e-3". nullopt for anything else and for exponents beyond +-100000.
+/// Reads "12", "-0.50", "1_000.5e-3", "0x1f". nullopt for anything else and for exponents beyond +-100000.
 std::optional<Decimal> parse_decimal(std::string_view text);
 Rational to_rational(const Decimal& decimal);
 

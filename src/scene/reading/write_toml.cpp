@@ -203,9 +203,6 @@ class Writer {
 }  // namespace
 
 std::string shortest_number(std::string_view literal) {
-  const bool prefixed = literal.size() > 2 && literal[0] == '0' && literal[1] >= 'a';
-  if (prefixed)
-    if (const auto whole = parse_integer(literal)) return std::to_string(*whole);
   const std::optional<Decimal> decimal = parse_decimal(literal);
   if (!decimal) return std::string(literal);
   const bool negative_zero = decimal->digits.empty() && literal.starts_with('-');

@@ -14,7 +14,7 @@ Result<Shape> build(Args& args) {
   const Vec2 from = args.point("from"), to = args.point("to");
   const double radius = args.size("radius");
   if (from == to) return Shape{.circles = {{from, radius}}};
-  const Vec2 way = 0.5 * to - 0.5 * from;  // may be longer than its square has room for
+  const Vec2 way = to - from;  // longer or shorter than its square has room for
   const Vec2 short_way = way / way.cwiseAbs().maxCoeff();
   const Vec2 ahead = radius * (short_way / std::sqrt(short_way.squaredNorm()));
   const Vec2 right(ahead.y(), -ahead.x());

@@ -60,6 +60,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType entry = {"cell", kKeys, &build};
+extern const ShapeType entry = {"cell", kKeys, &build, true};
 
 }  // namespace flatray::cell_shape

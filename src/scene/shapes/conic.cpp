@@ -46,6 +46,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType entry = {"conic", kKeys, &build};
+extern const ShapeType entry = {"conic", kKeys, &build, true};
 
 }  // namespace flatray::conic_shape

@@ -61,6 +61,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType entry = {"lens", kKeys, &build};
+extern const ShapeType entry = {"lens", kKeys, &build, true};
 
 }  // namespace flatray::lens_shape

@@ -28,6 +28,6 @@ Result<Shape> build(Args& args) {
 
 }  // namespace
 
-extern const ShapeType entry = {"parabola", kKeys, &build};
+extern const ShapeType entry = {"parabola", kKeys, &build, true};
 
 }  // namespace flatray::parabola_shape

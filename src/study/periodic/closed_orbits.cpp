@@ -38,10 +38,12 @@ Vec2 draw_on(const Arc& arc, Draws& draws) {
   return at;
 }
 
-bool are_near(const std::vector<Vec2>& a, const std::vector<Vec2>& b, std::size_t shift) {
-  constexpr double kNear = 1e-7;
+// Whether the bounces of two orbits are the same but for a small part of the way of one, turned by `shift`.
+bool are_near(const ClosedOrbit& one, const ClosedOrbit& other, std::size_t shift) {
+  const std::vector<Vec2>&a = one.points, &b = other.points;
+  const double near = 1e-8 * one.length.value();
   for (std::size_t i = 0; i < a.size(); ++i)
-    if ((a[i] - b[(i + shift) % b.size()]).cwiseAbs().maxCoeff() > kNear) return false;
+    if ((a[i] - b[(i + shift) % b.size()]).cwiseAbs().maxCoeff() > near) return false;
   return true;
 }
 
@@ -56,10 +58,10 @@ std::size_t period_of(const Word& word) {
 
 bool is_new(const ClosedOrbit& orbit, const std::vector<ClosedOrbit>& found, std::size_t period) {
   for (std::size_t shift = period; shift < orbit.word.size(); shift += period)
-    if (are_near(orbit.points, orbit.points, shift)) return false;
+    if (are_near(orbit, orbit, shift)) return false;
   for (const ClosedOrbit& other : found)
     for (std::size_t shift = 0; shift < orbit.word.size(); shift += period)
-      if (are_near(orbit.points, other.points, shift)) return false;
+      if (are_near(orbit, other, shift)) return false;
   return true;
 }
 

@@ -38,7 +38,9 @@ void StartSums::add(std::uint64_t number, double x, double y) {
 
 RatioSums StartSums::all() const {
   if (starts_ == Starts::random) return sums_.front();
-  RatioSums all;
+  double x = 0, y = 0;
+  for (const RatioSums& shift : sums_) x += shift.x, y += shift.y;
+  RatioSums all{.about = y != 0 ? x / y : 0};
   for (const RatioSums& shift : sums_) all.add(shift.x, shift.y);
   return all;
 }

@@ -15,12 +15,12 @@ constexpr double kTurn = 0x1.921fb54442d18p+2;
 // A straight wall by the length from its first end.
 class LineWay {
  public:
-  explicit LineWay(const Segment& wall) : wall_(wall), sweep_((wall.b - wall.a).norm()) {}
+  explicit LineWay(const Segment& wall) : wall_(wall), sweep_(size_of(wall.b - wall.a)) {}
   double sweep() const { return sweep_; }
   Vec2 at(double past) const { return wall_.a + past / sweep_ * (wall_.b - wall_.a); }
   Vec2 normal_at(const Vec2& point) const { return normal_near(wall_, point) / sweep_; }
   double curvature_at(const Vec2&) const { return 0; }
-  double parameter(const Vec2& point) const { return std::min((point - wall_.a).norm(), sweep_); }
+  double parameter(const Vec2& point) const { return std::min(size_of(point - wall_.a), sweep_); }
   double even_speed() const { return 1; }
   double speed(double) const { return 1; }
   std::vector<Vec2> outline() const { return {wall_.a, wall_.b}; }

@@ -2,6 +2,8 @@
 #include <vector>
 
 #include "base/portable_math.h"
+#include "geom/decide.h"
+#include "geom/pair.h"
 #include "trace/surfaces.h"
 
 namespace flatray {
@@ -27,12 +29,17 @@ class WallPlaces {
   std::vector<std::vector<double>> lengths_;  // by surface: up to equal parts of it, or all of it
 };
 
-/// By how much one direction is turned counter-clockwise from another, from -pi to pi.
-inline double turn_between(const Vec2& from, const Vec2& to) {
-  return portable::atan2(cross(from, to), from.dot(to));
+/// By how much one point is turned counter-clockwise from another as seen from `centre`, from -pi to pi.
+/// Error   some ulps, also of small angles.
+inline double turn_between(const Vec2& from, const Vec2& to, const Vec2& centre = Vec2(0, 0)) {
+  const double turn = round_once([&](const auto& number) {
+    const auto at = pair_of(number, centre);
+    return cross(pair_of(number, from) - at, pair_of(number, to) - at);
+  });
+  return portable::atan2(turn, (from - centre).dot(to - centre));
 }
 /// A vector of length 1 along one.
-inline Vec2 direction_of(const Vec2& v) { return v / v.norm(); }
+inline Vec2 direction_of(const Vec2& v) { return v / size_of(v); }
 
 /// Points along a wall, both ends among them, to draw it: the two of a segment, many of a curve.
 std::vector<Vec2> wall_outline(const Surfaces& walls, std::uint32_t surface);

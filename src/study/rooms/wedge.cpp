@@ -8,7 +8,7 @@
 namespace flatray {
 namespace {
 
-// The walls as they leave their common point.
+// The common point of two walls and the other end of each.
 struct Wedge {
   Vec2 tip, first, second;
 };
@@ -18,7 +18,7 @@ std::optional<Wedge> wedge_of(const Surfaces& walls) {
   const Segment &a = walls.segments[0], &b = walls.segments[1];
   for (const auto& [a0, a1] : {std::pair(a.a, a.b), std::pair(a.b, a.a)})
     for (const auto& [b0, b1] : {std::pair(b.a, b.b), std::pair(b.b, b.a)})
-      if (a0 == b0) return Wedge{a0, a1 - a0, b1 - b0};
+      if (a0 == b0) return Wedge{a0, a1, b1};
   return std::nullopt;
 }
 
@@ -38,19 +38,20 @@ double farthest_crossing(const Wedge& wedge, const Ray& ray, double turn, double
 std::optional<std::uint64_t> wedge_reflections(const Surfaces& walls, const Ray& ray) {
   auto wedge = wedge_of(walls);
   if (!wedge) return std::nullopt;
-  double alpha = turn_between(wedge->first, wedge->second);
+  double alpha = turn_between(wedge->first, wedge->second, wedge->tip);
   if (alpha < 0) {
     std::swap(wedge->first, wedge->second);
     alpha = -alpha;
   }
   const Vec2 from = ray.origin - wedge->tip;
-  const double here = turn_between(wedge->first, from);
+  const double here = turn_between(wedge->first, ray.origin, wedge->tip);
   if (!(alpha > 0 && here >= 0 && here <= alpha)) return std::nullopt;
   const double ahead = turn_between(from, ray.direction);
   const double turn = std::fabs(ahead), first = ahead >= 0 ? alpha - here : here;
   const double count = std::ceil((turn + alpha - first) / alpha) - 1;
   const double last = first + (count - 1) * alpha;
-  const double reach = std::min(wedge->first.norm(), wedge->second.norm());
+  const double reach =
+      std::min((wedge->first - wedge->tip).norm(), (wedge->second - wedge->tip).norm());
   if (count > 0 && !(farthest_crossing(*wedge, ray, turn, first, last) < reach))
     return std::nullopt;
   return static_cast<std::uint64_t>(count);

@@ -40,10 +40,11 @@ double chi_squared(double freedom, double normal) {
 }  // namespace
 
 void RatioSums::add(double sample_x, double sample_y) {
-  const double square_x = sample_x * sample_x, square_y = sample_y * sample_y;
   ++samples;
   x += sample_x;
   y += sample_y;
+  sample_x -= about * sample_y;
+  const double square_x = sample_x * sample_x, square_y = sample_y * sample_y;
   xx += square_x;
   xy += sample_x * sample_y;
   yy += square_y;
@@ -54,17 +55,17 @@ void RatioSums::add(double sample_x, double sample_y) {
 }
 
 double RatioSums::standard_error() const {
-  const double r = ratio();
-  const double squares = xx - 2 * r * xy + r * r * yy;
+  const double r = ratio() - about, squares = xx - 2 * r * xy + r * r * yy;
   return std::sqrt(std::max(squares, 0.0) * samples / (samples - 1)) / std::fabs(y);
 }
 
 double RatioSums::widening() const {
   constexpr double z = 1.959963984540054, part = (z * z * (z * z + 2) - 3) / 18;
-  const double r = ratio(), squares = xx - 2 * r * xy + r * r * yy;
-  if (!(squares > 0) || !std::isfinite(xxx + yyy)) return 1;
+  const double r = ratio() - about, squares = xx - 2 * r * xy + r * r * yy;
+  if (!(squares > 0)) return 1;
   const double cubes = xxx - 3 * r * xxy + 3 * r * r * xyy - r * r * r * yyy;
-  const double skewness2 = cubes * cubes / (squares * squares * squares) * samples;
+  const double skewness = cubes / squares / std::sqrt(squares), skewness2 = skewness * skewness * samples;
+  if (!std::isfinite(skewness2)) return kInfinity;
   const double by_chance = 6 / samples;
   return 1 + part * std::clamp((skewness2 - by_chance) / samples, 0.0, 1.0);
 }
@@ -78,7 +79,7 @@ Measure RatioSums::measure(std::string name, std::optional<double> expected) con
     return {std::move(name), ratio(), {}, {}, 0, {}, "no error: of one sample alone"};
   Measure one{std::move(name), ratio(), standard_error(), expected, samples - 1};
   one.widening = widening();
-  const bool lost = (yy == 0 && y != 0) || (xx == 0 && x != 0);
+  const bool lost = (yy == 0 && y != 0) || (xx == 0 && x != 0 && about == 0);
   if (!lost && std::isfinite(*one.standard_error * one.widening)) return one;
   withhold_error(one, "no error: squares of such numbers are beyond the doubles");
   return one;

@@ -4,9 +4,13 @@
 namespace flatray {
 
 /// Sums over independent samples (x, y) from which the ratio of their means is estimated.
+///
+/// Error   of the spread of samples some ulps of their squares: one of less than 1e-7 of them is lost,
+///         unless `about` is near their ratio.
 struct RatioSums {
-  double samples = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-  double xxx = 0, xxy = 0, xyy = 0, yyy = 0;
+  double samples = 0, x = 0, y = 0;
+  double xx = 0, xy = 0, yy = 0, xxx = 0, xxy = 0, xyy = 0, yyy = 0;  // of x - about y in place of x
+  double about = 0;
 
   void add(double sample_x, double sample_y);
 

@@ -1,7 +1,7 @@
 #include "study/statistics/median.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 #include "base/check.h"
 
@@ -11,18 +11,16 @@ MedianInterval median_interval(std::vector<double> values, double confidence) {
   FLATRAY_CHECK(!values.empty());
   std::ranges::sort(values);
   const std::size_t count = values.size(), middle = count / 2;
-  // Of `count` draws, `chance` is that of exactly `below` on one side of the median, `beyond` of no
-  // more.
-  double chance = std::ldexp(1.0, -static_cast<int>(count)), beyond = chance;
+  // The chance of exactly `k` draws below the median, as a part of that of `middle`; it sinks towards 0.
+  std::vector<double> chances(middle + 1, 1);
+  for (std::size_t k = middle; k-- > 0;)
+    chances[k] = chances[k + 1] * static_cast<double>(k + 1) / static_cast<double>(count - k);
+  const double lower = std::accumulate(chances.begin(), chances.end() - 1, 0.0);
+  const double all = 2 * lower + (count % 2 == 1 ? 2 : 1);
   std::size_t below = 0;
-  while (2 * (below + 1) < count) {
-    const double next =
-        chance * static_cast<double>(count - below) / static_cast<double>(below + 1);
-    if (1 - 2 * (beyond + next) < confidence) break;
-    chance = next;
-    beyond += next;
-    ++below;
-  }
+  double beyond = chances[0] / all;  // the chance of no more than `below`
+  while (2 * (below + 1) < count && 1 - 2 * (beyond + chances[below + 1] / all) >= confidence)
+    beyond += chances[++below] / all;
   const double median =
       count % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
   return {median, values[below], values[count - 1 - below], 1 - 2 * beyond};

@@ -44,7 +44,7 @@ class Media {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
  private:
-  static constexpr std::uint32_t kMost = 4;
+  static constexpr std::uint32_t kMost = 8;
   std::array<std::uint32_t, kMost> bodies_{};
   std::uint32_t count_ = 0;
 };

@@ -84,6 +84,18 @@ TEST(ChangingShapes, AreTheShapesWrittenWithTheirValues) {
   }
 }
 
+// Found by a reviewer: one number alone, right at both keys; the walls were gone in between.
+TEST(ChangingShapes, AreRefusedWhereOneNumberAloneIsWrongBetweenItsKeys) {
+  for (const char* shape :
+       {"lens = { height = 4, thickness = 3, radii = [{ keys = [[0, 5], [8, 0]] }, 5] }",
+        "cell = { a = [1, 0], b = [{ keys = [[0, 0.05], [2, 0.95]] }, 0.3], sides = 6 }",
+        "conic = { vertex = [0, 0], focus = [{ keys = [[0, -5], [2, 5]] }, 0.1], width = 4, "
+        "eccentricity = 0 }"}) {
+    const std::string refused = refusal(entity(shape));
+    EXPECT_NE(refused.find(" s\n"), std::string::npos) << shape << refused;
+  }
+}
+
 TEST(ChangingShapes, AreNotThereWhereNothingOfThemIsLeft) {
   const std::string shapes[] = {
       "ngon = { sides = 5, radius = { keys = [[0, 0], [2, 1]] } }",

@@ -44,6 +44,17 @@ TEST(Lamps, SendOutRaysOfLengthOneWhereTheyAre) {
   EXPECT_EQ(arc.direction, Vec2(0, -1));
 }
 
+// Found by a reviewer: at both keys it is a whole turn, in between more.
+TEST(Lamps, AreRefusedWhereTwoNumbersAreWrongBetweenTheirKeys) {
+  const std::string refused = refusal(
+      "flatray = 1\nframes = 5\nfps = 2\n[[lamp]]\nsource = { arc = { radius = 1, from = { keys = "
+      "[[0, 0], [2, 360]] }, to = { keys = [[0, 360], [2, 720]], ease = \"smooth\" } } }\n");
+  EXPECT_NE(refused.find("393.75 degrees from lamp.arc.from, more than a whole turn "
+                                         "at 1.5 s"),
+            std::string::npos)
+      << refused;
+}
+
 TEST(Lamps, ShineBeforeBlackWhereNoBackgroundIsSaid) {
   const std::string lamp = "[[lamp]]\nsource = { point = {} }\n";
   const auto background = [&](const std::string& rest) {

@@ -35,8 +35,20 @@ TEST(Shapes, ASectorComesBackAlongItsInnerArc) {
   EXPECT_EQ(arc_of(pie, 1).start(), Vec2(0, 0));
 }
 
+// Found by a reviewer: the doubles next to decimals 360 apart differ by a little more or less.
+TEST(Shapes, AWholeTurnIsOneInAnyDecimals) {
+  for (int tenths = -3600; tenths < 3600; ++tenths) {
+    const auto decimal = [](int value) {
+      return fmt::format("{}{}.{}", value < 0 ? "-" : "", std::abs(value) / 10, std::abs(value) % 10);
+    };
+    const std::string arc = "arc = { radius = 1, from = " + decimal(tenths) +
+                            ", to = " + decimal(tenths + 3600) + " }";
+    ASSERT_EQ(shape_of(arc).arc_paths[0].arcs[0].sweep, 2 * std::numbers::pi) << arc;
+  }
+}
+
 TEST(Shapes, ACapsuleIsTwoHalfCirclesWhateverItsLength) {
-  for (const char* to : {"[10, 0]", "[1e-300, 0]", "[1e300, -1e300]"}) {
+  for (const char* to : {"[10, 0]", "[1e-300, 0]", "[5e-324, 0]", "[1e300, -1e300]"}) {
     const Shape shape =
         shape_of(std::string("capsule = { from = [0, 0], radius = 2, to = ") + to + " }");
     for (std::size_t i = 0; i < 2; ++i) {

@@ -164,6 +164,11 @@ TEST(StiffCases, A5IntegersThatNoDoubleHoldsAreWarnedOf) {
   EXPECT_EQ(got.scene.shapes[0].circles.size(), 1u);  // the point it has become
 }
 
+// Found by a reviewer: 16 is 0x10.
+TEST(Shapes, PointsThatAreOneInOtherDigitsAreNotWarnedOf) {
+  EXPECT_TRUE(loaded(with_shape("polyline = { points = [[0x10, 0], [16, 0], [1.6e1, 9]] }")).warnings.empty());
+}
+
 TEST(StiffCases, A5CornersThatReadAsOneAreWarnedOfAndLeaveASegment) {
   const LoadedScene got =
       loaded(with_shape("polygon = { points = [[1e16, 0], [10000000000000001.0, 0], [1e16, 4]] }"));

@@ -24,11 +24,12 @@ TEST(Numbers, DecimalsAreWhatTheySayExactly) {
   EXPECT_EQ(to_rational(*parse_decimal("123456789012345678901234567890e-10")).text(),
             "12345678901234567890123456789/1000000000");
   EXPECT_EQ(to_rational(*parse_decimal("-25e2")), Rational(-2500));
+  EXPECT_EQ(*parse_decimal("0x1_0"), *parse_decimal("1.6e1"));
 }
 
 TEST(Numbers, WhatIsNoDecimalIsRefused) {
   for (const char* text :
-       {"", ".", "-", "e5", "1e", "1e+", "1e5.0", "0x10", "nan", "1 ", "1e999999"})
+       {"", ".", "-", "e5", "1e", "1e+", "1e5.0", "0x", "0xg", "nan", "1 ", "1e999999"})
     EXPECT_FALSE(parse_decimal(text)) << text;
 }
 
@@ -57,7 +58,23 @@ TEST(Numbers, LossesAreNoticed) {
   EXPECT_EQ(parse_literal("1e23")->loss, Loss::none);                     // not written out
   EXPECT_EQ(parse_literal("1e-400")->loss, Loss::underflow);
   EXPECT_EQ(parse_literal("0.0e-400")->loss, Loss::none);
+  EXPECT_EQ(parse_literal("0e200000")->loss, Loss::none);
   EXPECT_EQ(parse_literal("0.1")->loss, Loss::none);
+}
+
+// Found by a reviewer: those with an exponent or a fraction were rounded without a word.
+TEST(Numbers, WholeOnesAreExactHoweverTheyAreWritten) {
+  EXPECT_EQ(parse_integer("9007199254740993e0"), 9007199254740993);
+  EXPECT_EQ(parse_integer("-90071992547409930e-1"), -9007199254740993);
+  EXPECT_EQ(parse_integer("9223372036854775807"), std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(parse_integer("-9223372036854775808"), std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(parse_integer("0x7fff_ffff_ffff_ffff"), std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(parse_integer("+5.0"), 5);
+  EXPECT_EQ(parse_integer("1e18"), 1'000'000'000'000'000'000);
+  EXPECT_EQ(parse_integer("0e5"), 0);
+  for (const char* none : {"5.0000000000000000001", "9223372036854775808", "1e19", "0.5",
+                           "0xffffffffffffffff", "nan", "1e-400", ""})
+    EXPECT_FALSE(parse_integer(none)) << none;
 }
 
 struct E4 {

@@ -66,6 +66,13 @@ TEST(SpectrumText, TakesWhatInstrumentsWrite) {
   }
 }
 
+// Found by a reviewer: a first row that is misprinted is no row of names.
+TEST(SpectrumText, RefusesAFirstRowThatBeginsANumber) {
+  const auto refused = parse("40O,5\n500,1\n600,1\n");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(format(refused.error()).find("'40O' is not a finite number"), std::string::npos);
+}
+
 // Chances, places in cells and colours together give the whole again, of all wavelengths alike.
 TEST(SpectrumText, IsWholeAgainWhenItsPartsAreAddedUp) {
   const auto spectrum = parse("400,0\n436,1\n440,0\n545,0\n546,3\n547,0\n700,0.1\n");

@@ -145,6 +145,21 @@ TEST(PeriodicOrbits, OfSinaiAreAllDecided) {
   EXPECT_EQ(Found(stadium(), 2).of("24").verdict, Verdict::family);
 }
 
+// Found by a reviewer: what tells one orbit from another was a length.
+TEST(PeriodicOrbits, AreAsManyInRoomsOfAnySize) {
+  const auto of = [](const std::string& radius) {
+    return Found(room("capsule = { from = [-" + radius + ", 0], to = [" + radius +
+                      ", 0], radius = " + radius + " }"),
+                 4);
+  };
+  const Found one = of("1"), small = of("2.98023223876953125e-8"), large = of("1073741824");
+  for (std::size_t bounces = 1; bounces <= 4; ++bounces)
+    for (const Verdict verdict : {Verdict::proven, Verdict::family, Verdict::pruned}) {
+      EXPECT_EQ(small.count(bounces, verdict), one.count(bounces, verdict)) << bounces;
+      EXPECT_EQ(large.count(bounces, verdict), one.count(bounces, verdict)) << bounces;
+    }
+}
+
 // Newton's method from anywhere, which knows nothing of shortest polygons, finds the orbits that are
 // proven and no others.
 TEST(PeriodicOrbits, ThatArePrunedAreNotFoundByOtherMeans) {

@@ -60,6 +60,22 @@ TEST(Wedge, IsNoneWhereItMayBeTooShortOrThereIsNone) {
   for (const Surfaces* walls : {&apart, &one, &three}) EXPECT_FALSE(wedge_reflections(*walls, ray));
 }
 
+// Found by a reviewer: cross products of doubles lose the angle between walls this close, and so do differences
+// of their ends. Between the lines from (1/8, 1/4) of slopes 1 and 1 + e the angle is e / 2 - e^2 / 4.
+TEST(Wedge, ReflectionsBetweenWallsThatAreNearlyOneAreAsManyAsTheAngleGoesIntoAHalfTurn) {
+  const Vec2 tip(0.125, 0.25);
+  const double e = 0x1p-26;
+  Surfaces walls;
+  walls.add(Segment{tip, tip + 0x1p34 * Vec2(1, 1)});
+  walls.add(Segment{tip, tip + 0x1p34 * Vec2(1, 1 + e)});
+  const double alpha = e / 2 - e * e / 4;
+  const Ray across{{0.625, 0.75 + e / 4}, {-1, 1}};
+  // Seen from the tip it turns by a quarter of a turn until it leaves.
+  const auto found = wedge_reflections(walls, across);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(static_cast<double>(*found), kWedgePi / 2 / alpha, 1.5);
+}
+
 // The last crossing decides how long walls must be: just longer than that it is told, just shorter not.
 TEST(Wedge, IsToldWhereWallsReachTheLastReflection) {
   const Ray ray{{5, 1}, {-1, -0.125}};

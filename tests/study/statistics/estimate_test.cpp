@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "study/plots/plot.h"
+#include "study/rooms/starts.h"
 #include "study/rooms/wall_places.h"
 #include "study/xml.h"
 
@@ -29,6 +30,27 @@ TEST(RatioSums, OfProportionalSamplesHaveNoError) {
   half.append_to(to);
   add(to, numbers_of(from));
   EXPECT_EQ(half.ratio(), 3);
+}
+
+// Found by a reviewer: 32 sums that differ in their last digits, of which squares of the sums keep nothing.
+TEST(RatioSums, AroundTheirRatioKeepASpreadOfTheLastDigits) {
+  RatioSums sums{.about = 1e8};
+  for (int i = 0; i < 16; ++i) sums.add(1e8 + i % 2, 1);
+  EXPECT_EQ(sums.ratio(), 1e8 + 0.5);
+  EXPECT_NEAR(sums.standard_error(), std::sqrt(0.25 / 15), 1e-9);
+  const StartSums spread = [] {
+    StartSums made(Starts::quasi);
+    for (std::uint64_t i = 0; i < 64; ++i) made.add(i, 1e8 + static_cast<double>(i % 2), 1);
+    return made;
+  }();
+  EXPECT_NEAR(spread.all().standard_error(), std::sqrt(0.25 / 31), 1e-9);
+}
+
+// Found by a reviewer: the cubes of such numbers are infinite, and their skewness was taken for none.
+TEST(RatioSums, OfNumbersWhoseCubesAreNoDoublesHaveNoError) {
+  RatioSums sums;
+  for (int i = 0; i < 20; ++i) sums.add(i == 0 ? 1e110 : 1, 1);
+  EXPECT_FALSE(sums.measure("m").standard_error);
 }
 
 TEST(Agreement, IsWithinFourStandardErrors) {

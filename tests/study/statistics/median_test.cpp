@@ -33,6 +33,15 @@ TEST(MedianInterval, IsThatOfTheTables) {
   }
 }
 
+// 1000 less and more 0.98 times the root of 2000; 2^-2000 is no double.
+TEST(MedianInterval, OfThousandsOfValuesIsNoWiderThanItMustBe) {
+  const MedianInterval found = median_interval(one_to(2000), 0.95);
+  EXPECT_EQ(found.low, 956);
+  EXPECT_EQ(found.high, 1045);
+  EXPECT_GE(found.confidence, 0.95);
+  EXPECT_LE(found.confidence, 0.954);
+}
+
 TEST(MedianInterval, OfTooFewValuesIsTheirRangeAndSaysSo) {
   const MedianInterval three = median_interval({3, 1, 2}, 0.99);
   EXPECT_EQ(three.low, 1);

@@ -60,9 +60,9 @@ TEST(Media, KnowTheInnermostAroundABody) {
   EXPECT_EQ(media.around(4), 7U);
   media.leave(4);
   EXPECT_EQ(media.around(7), Media::kNone);
-  for (std::uint32_t body = 10; body < 16; ++body) media.enter(body);
-  EXPECT_EQ(media.around(15), 14U);
-  for (std::uint32_t body = 12; body < 16; ++body) media.leave(body);
+  for (std::uint32_t body = 10; body < 20; ++body) media.enter(body);
+  EXPECT_EQ(media.around(19), 18U);
+  for (std::uint32_t body = 12; body < 20; ++body) media.leave(body);
   EXPECT_EQ(media.around(0), Media::kNone);
 }
 
