@@ -57,7 +57,8 @@ TEST(Refraction, OfMediaAlikeGoesStraightOn) {
     EXPECT_EQ(same->beyond, cosine);
     EXPECT_EQ(same->reflected, 0);
   }
-  const auto denser = refraction(1 - 0x1p-52, 5e-9);  // 2 (1 - ratio) and cosine^2, to some parts in 10^16
+  const auto denser =
+      refraction(1 - 0x1p-52, 5e-9);  // 2 (1 - ratio) and cosine^2, to some parts in 10^16
   ASSERT_TRUE(denser);
   EXPECT_DOUBLE_EQ(denser->beyond, std::sqrt(0x1p-51 + 2.5e-17));
 }

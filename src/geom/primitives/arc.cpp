@@ -37,7 +37,8 @@ bool joint_passes_near(const Ellipse& wall, const Vec2& end, const Vec2& point, 
   const auto from = within(point, reach) - pair_of(kNear, wall.centre);
   const auto way = pair_of(kNear, end) - pair_of(kNear, wall.centre);
   if (dot(from, way).sign() == Sign::negative) return false;
-  const auto beyond_end = dot(from - way, way).sign(), beyond_curve = side_of_box(wall, point, reach);
+  const auto beyond_end = dot(from - way, way).sign(),
+             beyond_curve = side_of_box(wall, point, reach);
   return !beyond_end || !beyond_curve || *beyond_end != *beyond_curve;
 }
 

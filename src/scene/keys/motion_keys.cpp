@@ -33,6 +33,8 @@ constexpr Key<FollowWords> kFollowKeys[] = {
 };
 
 // Points that differ from those before them, with the way to each.
+constexpr double kLongestPath = 1e150;  // squares of lengths stay doubles
+
 Path measured(const FollowWords& words) {
   Path path{.points = {}, .lengths = {}, .closed = words.closed};
   const auto add = [&](const Vec2& point) {
@@ -68,7 +70,7 @@ void read_follow_path(Builder& builder, const Field& field, Motion& motion) {
     if (path.points.size() < 2)
       return builder.in.problem(field.value.where, "the path of follow has no length",
                                 "write two points or more that differ");
-    if (!(path.lengths.back() <= kFarthest))
+    if (!(path.lengths.back() <= kLongestPath))
       return builder.in.problem(field.value.where, "the path of follow is too long",
                                 "stay within 1e150 or so");
     if (!take_corners(builder, path.points.size(), field.value.where)) return;

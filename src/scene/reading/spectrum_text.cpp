@@ -58,7 +58,8 @@ class SpectrumReader {
     const std::vector<std::string_view> fields = fields_of(line);
     const bool may_be_names = !std::exchange(begun_, true);
     const bool begins_a_number =
-        !fields.front().empty() && std::string_view("+-.0123456789").find(fields.front()[0]) != std::string_view::npos;
+        !fields.front().empty() &&
+        std::string_view("+-.0123456789").find(fields.front()[0]) != std::string_view::npos;
     if (may_be_names && !begins_a_number) return;
     if (fields.size() != 2)
       return problem(line, fmt::format("a row has {}, not a wavelength and a power",

@@ -151,8 +151,7 @@ class Study {
         const std::uint64_t count = counts.transitions[i][j];
         if (probability == 0 && count == 0) continue;
         const double variance = n * probability * (1 - probability);
-        const double z =
-            z_score(static_cast<double>(count) - n * probability, std::sqrt(variance));
+        const double z = z_score(static_cast<double>(count) - n * probability, std::sqrt(variance));
         transitions_.add({chain.name, chain.states[i], chain.states[j], label(given[i][j]),
                           probability, static_cast<double>(count) / n, visits, z,
                           verdict(z, allowed_z(variance, 1), 0)});
@@ -178,7 +177,8 @@ class Study {
   std::string summary() const {
     return fmt::format(
         "Steps to an absorbing state, {} walks from each start, seed {}\n\n{}\n"
-        "Transitions taken, all starts together\n\n{}\n{}: largest |z| {:.3g}, {} allowed, more of steps hardly ever taken\n",
+        "Transitions taken, all starts together\n\n{}\n{}: largest |z| {:.3g}, {} allowed, more of "
+        "steps hardly ever taken\n",
         context_.count, context_.seed, aligned_text(starts_, kBrief),
         aligned_text(transitions_, kBrief),
         disagreements_ == 0 ? "agrees with the closed form" : "DISAGREES with the closed form",

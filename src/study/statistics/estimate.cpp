@@ -64,7 +64,8 @@ double RatioSums::widening() const {
   const double r = ratio() - about, squares = xx - 2 * r * xy + r * r * yy;
   if (!(squares > 0)) return 1;
   const double cubes = xxx - 3 * r * xxy + 3 * r * r * xyy - r * r * r * yyy;
-  const double skewness = cubes / squares / std::sqrt(squares), skewness2 = skewness * skewness * samples;
+  const double skewness = cubes / squares / std::sqrt(squares),
+               skewness2 = skewness * skewness * samples;
   if (!std::isfinite(skewness2)) return kInfinity;
   const double by_chance = 6 / samples;
   return 1 + part * std::clamp((skewness2 - by_chance) / samples, 0.0, 1.0);

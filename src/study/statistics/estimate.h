@@ -9,7 +9,8 @@ namespace flatray {
 ///         unless `about` is near their ratio.
 struct RatioSums {
   double samples = 0, x = 0, y = 0;
-  double xx = 0, xy = 0, yy = 0, xxx = 0, xxy = 0, xyy = 0, yyy = 0;  // of x - about y in place of x
+  double xx = 0, xy = 0, yy = 0, xxx = 0, xxy = 0, xyy = 0,
+         yyy = 0;  // of x - about y in place of x
   double about = 0;
 
   void add(double sample_x, double sample_y);

@@ -50,7 +50,7 @@ TEST(Lamps, AreRefusedWhereTwoNumbersAreWrongBetweenTheirKeys) {
       "flatray = 1\nframes = 5\nfps = 2\n[[lamp]]\nsource = { arc = { radius = 1, from = { keys = "
       "[[0, 0], [2, 360]] }, to = { keys = [[0, 360], [2, 720]], ease = \"smooth\" } } }\n");
   EXPECT_NE(refused.find("393.75 degrees from lamp.arc.from, more than a whole turn "
-                                         "at 1.5 s"),
+                         "at 1.5 s"),
             std::string::npos)
       << refused;
 }

@@ -189,8 +189,8 @@ TEST(Random, RefusalsSayWhatToWrite) {
 
 // Found by a reviewer: their copies landed elsewhere.
 TEST(Repeat, CopiesBeyondAllNumbersAreRefused) {
-  for (const char* repeat : {"ring = { count = 2, radius = 1e305 }",
-                             "grid = { count = [10, 1], step = [1e300, 0] }"})
+  for (const char* repeat :
+       {"ring = { count = 2, radius = 1e305 }", "grid = { count = [10, 1], step = [1e300, 0] }"})
     EXPECT_NE(refusal(repeated_entity("shape = { circle = { radius = 1 } }\nrepeat = { " +
                                       std::string(repeat) + " }"))
                   .find("has copies beyond 1e300"),

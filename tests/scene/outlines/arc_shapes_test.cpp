@@ -39,10 +39,11 @@ TEST(Shapes, ASectorComesBackAlongItsInnerArc) {
 TEST(Shapes, AWholeTurnIsOneInAnyDecimals) {
   for (int tenths = -3600; tenths < 3600; ++tenths) {
     const auto decimal = [](int value) {
-      return fmt::format("{}{}.{}", value < 0 ? "-" : "", std::abs(value) / 10, std::abs(value) % 10);
+      return fmt::format("{}{}.{}", value < 0 ? "-" : "", std::abs(value) / 10,
+                         std::abs(value) % 10);
     };
-    const std::string arc = "arc = { radius = 1, from = " + decimal(tenths) +
-                            ", to = " + decimal(tenths + 3600) + " }";
+    const std::string arc =
+        "arc = { radius = 1, from = " + decimal(tenths) + ", to = " + decimal(tenths + 3600) + " }";
     ASSERT_EQ(shape_of(arc).arc_paths[0].arcs[0].sweep, 2 * std::numbers::pi) << arc;
   }
 }

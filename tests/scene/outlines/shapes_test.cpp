@@ -166,7 +166,8 @@ TEST(StiffCases, A5IntegersThatNoDoubleHoldsAreWarnedOf) {
 
 // Found by a reviewer: 16 is 0x10.
 TEST(Shapes, PointsThatAreOneInOtherDigitsAreNotWarnedOf) {
-  EXPECT_TRUE(loaded(with_shape("polyline = { points = [[0x10, 0], [16, 0], [1.6e1, 9]] }")).warnings.empty());
+  EXPECT_TRUE(loaded(with_shape("polyline = { points = [[0x10, 0], [16, 0], [1.6e1, 9]] }"))
+                  .warnings.empty());
 }
 
 TEST(StiffCases, A5CornersThatReadAsOneAreWarnedOfAndLeaveASegment) {
