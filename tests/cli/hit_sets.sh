@@ -88,6 +88,9 @@ for question in "--op difference --against box" "--op intersection" "--against b
 done
 run 0 hit bow.toml --ray -5,0.25,1,0
 says err "is left out: its outline crosses itself"
+run 0 hit bow.toml --ray -5,0.25,1,0 -D 'entity.bow.repeat={ grid = { count = [5, 1], step = [1, 0] } }'
+(($(grep -c 'is left out' err.txt) == 3)) || fail "names others than three"
+says err "2 more left out for that"
 run 2 hit bow.toml --ray -5,0.25,1,0 --against bow
 says err "even-odd polygons have no inside"
 grep -qF -e --from "$work/err.txt" && fail "speaks of --from, which was not said"

@@ -169,6 +169,12 @@ void tell_left_out(const Options& options, const Scene& scene,
                               " is left out: its outline crosses itself, and is only drawn",
                           "write it as polygons that do not cross themselves"});
   }
+  constexpr std::size_t kMostNamed = 3;
+  if (warnings.size() > kMostNamed) {
+    const std::size_t more = warnings.size() - kMostNamed;
+    warnings.erase(warnings.begin() + kMostNamed, warnings.end());
+    warnings.push_back({scene.where, fmt::format("{} more left out for that", more), ""});
+  }
   report_warnings(warnings, options);
 }
 

@@ -90,7 +90,9 @@ inline HitTime time_met(const Arc& wall, const Ray& ray, Root root) {
 HitTime time_met(const Bezier& wall, const Ray& ray, Root root);
 
 /// The end of a wall that a ray meets; where it meets both, as those of a segment along the ray,
-/// the first. Of what joins an end of an arc to its curve the nearest doubles of the point met. Needs   a ray that is known to meet an end.
+/// the first. Of what joins an end of an arc to its curve the nearest doubles of the point met.
+///
+/// Needs   a ray that is known to meet an end.
 Vec2 end_met(const Segment& wall, const Ray& ray, Root root);
 Vec2 end_met(const Arc& wall, const Ray& ray, Root root);
 Vec2 end_met(const Bezier& wall, const Ray& ray, Root root);

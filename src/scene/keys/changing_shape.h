@@ -10,8 +10,8 @@ namespace flatray {
 /// it is wrong at a key of a curve, or in a frame up to the last key, were it beyond the last one of
 /// the scene.
 ///
-/// Cost    a shape for each key, and where several numbers change, or nothing is there at a key, for
-///         each frame between the first key and the last: LoadLimits::max_corners corners in all
+/// Cost    a shape for each key, and where several numbers change, or nothing is there at a key, or the
+///         kind says so (ShapeType), for each frame between the first key and the last: LoadLimits::max_corners corners in all
 ///         shapes together.
 std::optional<ShapeId> build_changing_shape(Builder& builder, const ShapeType& type,
                                             const Field& arguments);

@@ -32,9 +32,9 @@ constexpr Key<FollowWords> kFollowKeys[] = {
     {{"turn", "true or false", "false"}, &set<&FollowWords::turn>},
 };
 
-// Points that differ from those before them, with the way to each.
 constexpr double kLongestPath = 1e150;  // squares of lengths stay doubles
 
+// Points that differ from those before them, with the way to each.
 Path measured(const FollowWords& words) {
   Path path{.points = {}, .lengths = {}, .closed = words.closed};
   const auto add = [&](const Vec2& point) {
