@@ -71,4 +71,7 @@ run 6 render good.toml -o good.toml/x.png
 says err "good.toml"
 "$flatray" list verbs > /dev/full 2> err.txt
 [[ $? == 6 ]] || fail "a full standard output is no success"
+echo '{"op":"nearest","walls":[],"origin":[0,0],"direction":[1,0]}' | "$flatray" query > /dev/full 2> err.txt
+[[ $? == 6 ]] || fail "a full standard output is no success of query"
+says err "No space left on device"
 finish

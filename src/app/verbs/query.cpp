@@ -1,5 +1,6 @@
 #include "app/query/query.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <mutex>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "app/options/tracer_choice.h"
 #include "app/query/line_stream.h"
 #include "app/verb.h"
+#include "base/file.h"
 #include "base/parallel.h"
 #include "precise/certified_orbit.h"
 
@@ -48,24 +50,26 @@ class AnswersInOrder {
     if (number != written_) return;
     for (; written_ < answers_.size() && answers_[written_]; ++written_) {
       const std::string line = *std::exchange(answers_[written_], std::nullopt);
-      works_ = works_ && std::fwrite(line.data(), 1, line.size(), stdout) == line.size();
+      if (error_ == 0 && std::fwrite(line.data(), 1, line.size(), stdout) != line.size())
+        error_ = errno;
     }
-    works_ = works_ && std::fflush(stdout) == 0;
+    if (error_ == 0 && std::fflush(stdout) != 0) error_ = errno;
   }
 
   // Once all are there.
   bool sound() const { return sound_; }
   std::size_t size() const { return size_; }
   Result<void> written() const {
-    if (works_) return {};
-    return fail(named_place("standard output"), "cannot write", "", Trouble::output);
+    if (error_ == 0) return {};
+    return cannot("write", "standard output", error_, Trouble::output);
   }
 
  private:
   std::mutex mutex_;
   std::vector<std::optional<std::string>> answers_;
   std::size_t written_ = 0, size_ = 0;
-  bool sound_ = true, works_ = true;
+  bool sound_ = true;
+  int error_ = 0;  // the system's, of writing
 };
 
 // Of a line, with its end; of a blank one nothing.
