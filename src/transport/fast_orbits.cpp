@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "trace/curve_records.h"
 #include "transport/reflection.h"
 
 namespace flatray {
@@ -272,8 +273,9 @@ std::string FastOrbits::look_for_obstacle() const {
     const double width = std::fabs(cross(wall.curve.u, wall.curve.v)) / length;
     return !(size / width * (length / width) <= kMostSlender);
   };
-  return std::ranges::any_of(walls.arcs, slender) ? "a curve is too small or too thin for the room"
-                                                  : "";
+  if (std::ranges::any_of(walls.arcs, slender))
+    return "a curve is too small or too thin for the room";
+  return std::ranges::all_of(walls.arcs, ends_on_curve) ? "" : "an arc ends off its curve";
 }
 
 void FastOrbits::add(std::uint32_t surface, double (&record)[Record::kRecord]) {

@@ -219,6 +219,16 @@ TEST(FastOrbits, SayWhyARoomIsFollowedExactly) {
   }
 }
 
+// What joins the ends to the circle is met, which lanes know nothing of.
+TEST(FastOrbits, EndWhereArcsEndOffTheirCurve) {
+  const Surfaces room = with(ring({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}),
+                             Arc{Circle{{0, 0}, 1}, Arc::Extent::between, {3, 0}, {0, 3}});
+  const std::vector<Material> mirrors = all_mirrors(room);
+  const OrbitTracer exact(room, mirrors);
+  const FastOrbits fast(exact, true);
+  EXPECT_NE(fast.obstacle().find("off its curve"), std::string::npos);
+}
+
 // All of the room but for a notch of that depth lies on one side of a wall: a ray that grazes the notch
 // crosses the line of the wall long before.
 TEST(FastOrbits, ANotchIsMetHoweverShallow) {
