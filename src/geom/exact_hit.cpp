@@ -137,6 +137,16 @@ std::optional<Sign> ExactHit::touched_side(const Arc& arc) const {
   return chord == Sign::zero ? std::optional(Sign::positive) : std::nullopt;
 }
 
+// The curve bends away from it.
+std::optional<Sign> ExactHit::touched_side(const Bezier& wall) const {
+  std::vector<WallMeeting> met;
+  meet(wall, ray_, {Root::none, true, true}, met);
+  const auto here = std::ranges::find_if(
+      met, [&](const WallMeeting& one) { return compare(one.time, time_) == 0; });
+  if (here == met.end() || here->root != Root::both || here->at_end) return std::nullopt;
+  return bend_at(wall, parameter_near(wall, nearest())) > 0 ? Sign::negative : Sign::positive;
+}
+
 PlaceOn ExactHit::place_on(const Arc& arc) const {
   const Vec2& centre = arc.curve.centre;
   const Sign side = side_of(arc);

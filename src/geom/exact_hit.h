@@ -53,7 +53,7 @@ class ExactHit {
   /// crosses it. Exact.
   std::optional<Sign> touched_side(const Arc& arc) const;
   std::optional<Sign> touched_side(const Segment&) const { return std::nullopt; }
-  std::optional<Sign> touched_side(const Bezier&) const { return std::nullopt; }
+  std::optional<Sign> touched_side(const Bezier& wall) const;
   /// Its place in the cone of an arc: on the arc itself, if that is of the curve it hits. Exact.
   PlaceOn place_in(const Arc& arc) const;
   PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }

@@ -214,7 +214,7 @@ std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec
     const auto size = form_size(number, curve) * cross(d, e);
     return s * s * dot(form, form) - size * size;
   });
-  if (power == -place) return std::nullopt;
+  if (power != place) return std::nullopt;
   return HitTime::on_line(ray, centre, centre, end);
 }
 

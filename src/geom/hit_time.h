@@ -106,8 +106,8 @@ std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve,
                                   const Vec2& velocity = {0, 0});
 
 /// Where a ray's line meets the joint of an arc at `end`, the piece of the line to the centre
-/// between that end and the curve (see Arc); nullopt where it misses the joint, or the end is on
-/// the curve and there is none. Exact.
+/// between that end and the curve (see Arc), but for the point on the curve; nullopt where it misses
+/// the joint, or the end is on the curve and there is none. Exact.
 /// Needs   an arc between ends, a direction that is not zero.
 std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec2& end);
 

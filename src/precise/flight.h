@@ -117,7 +117,11 @@ class Flight {
 
   /// Where a wall is met that the ray is known to meet next, in a corner.
   std::optional<Pair<Number>> corner_at(std::uint32_t surface) const {
-    if (const auto meeting = first_of(surface); meeting && meeting->end) return pair(*meeting->end);
+    if (const auto meeting = first_of(surface); meeting && meeting->end) {
+      const Vec2& end = *meeting->end;
+      return pair(end) +
+             course_.from_centre(*meeting->place - course_.place_of(end), course_.side_of(end));
+    }
     Flight there(*this);
     if (there.bounce(surface)) return there.point_;
     if (walls_.segment_slot(surface) == kNoSurface) return std::nullopt;

@@ -39,7 +39,11 @@ void ExactNearest::offer(std::uint32_t surface) {
   const bool left = surface == departed_.surface;
   walls_.visit(surface, [&](const auto& wall) {
     if (left && is_departed_for_good(wall, departed_.root)) return;
-    if (point_test_) return offer_point_test(surface, place_on(wall, ray_.origin));
+    if (point_test_) {
+      const PlaceOn place = place_on(wall, ray_.origin);
+      if (left && departed_.root == Root::both && place == PlaceOn::inner) return;
+      return offer_point_test(surface, place);
+    }
     met_.clear();
     meet(wall, ray_, {left ? departed_.root : Root::none, tangents_, all_}, met_);
     for (const WallMeeting& met : met_)

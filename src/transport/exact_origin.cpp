@@ -14,10 +14,19 @@ constexpr int kReachUlps = 4;
 static_assert(kSearchUlps + 1 < kReachUlps);
 
 template <class Wall>
+bool is_on_joints(const Wall&, const Vec2&) {
+  return false;
+}
+bool is_on_joints(const Arc& wall, const Vec2& point) {
+  return wall.extent == Arc::Extent::between &&
+         (is_on_joint(wall.curve, wall.from, point) || is_on_joint(wall.curve, wall.to, point));
+}
+
+template <class Wall>
 bool keeps_to_cone(const Wall& wall, const Vec2& point, PlaceOn cone) {
   if (cone == PlaceOn::at_end) return true;
   const PlaceOn place = place_in_cone(wall, point);
-  return place == PlaceOn::at_end || place == cone;
+  return place == cone || (place == PlaceOn::at_end && !is_on_joints(wall, point));
 }
 
 // Of the wall hit, on which the point may not lie.
@@ -37,6 +46,7 @@ struct ExactOrigins::NearWall {
   Sign side;  // of the exact hit; zero where it is on the line of a segment, beyond its ends
   bool hit;   // the exact hit lies on the wall itself
   PlaceOn cone = PlaceOn::at_end;  // in which the exact hit lies
+  bool passed = false;             // it is touched there, and passed by
 };
 
 ExactOrigins::ExactOrigins(const Surfaces& walls) : walls_(walls), cells_(walls) {}
@@ -55,7 +65,7 @@ ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const Exac
     const PlaceOn place = hit.place_on(wall);
     if (place == PlaceOn::inner)
       if (const auto side = hit.touched_side(wall))  // it is passed by
-        return {surface, *side, false, hit.place_in(wall)};
+        return {surface, *side, false, hit.place_in(wall), true};
     return {surface, hit.side_of(wall), place != PlaceOn::outside, hit.place_in(wall)};
   });
 }
@@ -145,9 +155,27 @@ ExactOrigin ExactOrigins::beside_others(const Exact& exact, std::uint32_t surfac
   return {nearest, std::move(passing)};
 }
 
+// All walls that are met in a corner, of which the double may not tell, but none that is only touched.
+template <class Exact>
+ExactOrigin ExactOrigins::with_met(ExactOrigin origin, const Exact& exact,
+                                   std::uint32_t surface) const {
+  std::vector<std::uint32_t>& corner = origin.corner;
+  for (const std::uint32_t other : walls_near(exact.nearest(), surface)) {
+    const NearWall near = near_wall(other, exact);
+    if (near.passed) std::erase(corner, other);
+    if (near.hit && !std::ranges::binary_search(corner, other))
+      corner.insert(std::ranges::lower_bound(corner, other), other);
+  }
+  return origin;
+}
+
 ExactOrigin ExactOrigins::after(const Ray& ray, const NearestHit& hit, GoesOn to) const {
-  if (hit.at_end || hit.kind == HitClass::along)
-    return at_end(hit_point(walls_, ray, hit), hit.surface);
+  if (hit.at_end || hit.kind == HitClass::along) {
+    const ExactOrigin origin = at_end(hit_point(walls_, ray, hit), hit.surface);
+    const auto exact =
+        walls_.visit(hit.surface, [&](const auto& wall) { return exact_end(wall, ray, hit.root); });
+    return exact ? with_met(origin, *exact, hit.surface) : origin;
+  }
   const QuickHit quick =
       walls_.visit(hit.surface, [&](const auto& wall) { return quick_hit(ray, wall, hit.root); });
   if (const auto origin = quick_after(ray, hit, quick, to)) return *origin;
@@ -160,7 +188,10 @@ ExactOrigin ExactOrigins::after(const Ray& ray, const NearestHit& hit, GoesOn to
 ExactOrigin ExactOrigins::after(const FieldFlight& flight, const FieldHit& hit) const {
   const Vec2& start = flight.ray.origin;
   const FieldMeeting& met = hit.meeting;
-  if (hit.at_end) return at_end(met.closes() ? start : met.nearest(), hit.surface);
+  if (hit.at_end) {
+    if (met.closes()) return at_end(start, hit.surface);
+    return with_met(at_end(met.nearest(), hit.surface), met, hit.surface);
+  }
   ExactOrigin origin =
       met.closes() ? ExactOrigin{start, {}} : beside_others(met, hit.surface, -met.from());
   if (origin.corner.empty())

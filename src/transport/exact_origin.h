@@ -51,6 +51,8 @@ class ExactOrigins {
   Vec2 normal_at(const Ray& ray, const NearestHit& hit, const QuickHit& quick) const;
   std::vector<std::uint32_t> walls_near(const Vec2& point, std::uint32_t hit) const;
   ExactOrigin at_end(const Vec2& end, std::uint32_t surface) const;
+  template <class Exact>
+  ExactOrigin with_met(ExactOrigin origin, const Exact& exact, std::uint32_t surface) const;
   bool may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                  const std::vector<NearWall>& near) const;
   template <class Exact>

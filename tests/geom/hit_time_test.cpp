@@ -136,13 +136,13 @@ TEST(HitJoint, IsMetBetweenTheCurveAndTheEndAlone) {
   const auto time = [&](double x, double end) {
     return hit_joint({{1 + x, 0}, {0, 2}}, curve, {1 + end, 2});
   };
-  for (const double x : {3.5, 3.0, 4.0}) {
+  for (const double x : {3.5, 3.0}) {
     ASSERT_TRUE(time(x, 3)) << x;
     EXPECT_EQ(time(x, 3)->nearest().t, 1) << x;
   }
-  for (const double x : {2.5, 4.5, -3.5}) EXPECT_FALSE(time(x, 3)) << x;
-  for (const double x : {4.5, 4.0, 5.0}) EXPECT_TRUE(time(x, 5)) << x;
-  for (const double x : {3.5, 5.5, -4.5}) EXPECT_FALSE(time(x, 5)) << x;
+  for (const double x : {2.5, 4.0, 4.5, -3.5}) EXPECT_FALSE(time(x, 3)) << x;
+  for (const double x : {4.5, 5.0}) EXPECT_TRUE(time(x, 5)) << x;
+  for (const double x : {3.5, 4.0, 5.5, -4.5}) EXPECT_FALSE(time(x, 5)) << x;
   EXPECT_FALSE(time(4, 4)) << "an end on the curve has no joint";
 }
 

@@ -92,6 +92,18 @@ TEST(CertifiedOrbit, AnEndMetExactlyIsNoBounce) {
 }
 
 // What joins an end to its curve is as short as the end is off it: rays through the disc do not meet it.
+TEST(CertifiedOrbit, WhatJoinsAnEndToItsCurveIsMetWhereItIs) {
+  Surfaces walls;
+  walls.add(Arc{Circle{{0, 0}, 1}, Arc::Extent::between, {3, 1}, {-1, 0}});
+  for (const auto& [ray, point] : {std::pair(Ray{{5, 0}, {-9, 2}}, Vec2(2, 2.0 / 3)),
+                                   std::pair(Ray{{3, -4}, {0, 1}}, Vec2(3, 1))}) {
+    const auto orbit = certified_orbit(walls, ray, 1);
+    ASSERT_TRUE(orbit);
+    EXPECT_EQ(orbit->end, OrbitEnd::corner);
+    EXPECT_EQ(orbit->end_point, point);
+  }
+}
+
 TEST(CertifiedOrbit, AnEndOffItsCurveIsMetNowhereElse) {
   Surfaces walls;
   walls.add(Arc{Circle{{0, 0}, 1}, Arc::Extent::between, {0.6, 0.8}, {-1, 0}});

@@ -264,6 +264,21 @@ TEST(CellsOfCurves, TheJointAheadOfATangentThatIsLeftIsMet) {
   EXPECT_EQ(filter_curve(tangent, walls.arcs[0], Root::both).verdict, FilteredHit::Verdict::open);
 }
 
+// Found by a reviewer: the end of the curve itself was met twice.
+TEST(CellsOfCurves, TheEndOfACurveIsMetOnceBesideItsJoint) {
+  Surfaces walls;
+  walls.add(part_of({{0, 0}, 1}, {3, 0}, {0, 3}));
+  const auto grid = find_tracer("grid")->build(walls);
+  const std::vector<NearestHit> all = grid->all_of_one({{-0.5, -0.5}, {1.5, 0.5}}, {}, true);
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].root, Root::second);
+  EXPECT_TRUE(all[0].at_end);
+  Surfaces round;
+  round.add(part_of({{0, 0}, 5}, {5, 0}, {0, 5}));
+  EXPECT_FALSE(
+      find_tracer("grid")->build(round)->nearest_of_one({{3, 4}, {0, 0}}, {0, Root::both}, true));
+}
+
 // Found by a reviewer: rounded into cells, the ends of nearly a whole turn may change their order.
 TEST(CellsOfCurves, NearlyAWholeTurnIsMetEverywhere) {
   const Vec2 centre(0x1.7e31f744fc63fp+1, 0x1.f8baf4d1f175ep+0);

@@ -6,6 +6,7 @@
 #include "oracle/long_orbit.h"
 #include "scene/scene_text.h"
 #include "trace/random_rays.h"
+#include "trace/tracer.h"
 #include "transport/chambers.h"
 
 namespace flatray {
@@ -124,6 +125,97 @@ TEST(ArcOrbit, WhatJoinsAnEndOffTheCurveMakesACornerWithWhatCrossesIt) {
     EXPECT_EQ(orbit.bounces.size(), 0U);
     EXPECT_EQ(orbit.end_point, Vec2(2, 0));
     EXPECT_EQ(orbit.end_surfaces, (std::vector<std::uint32_t>{0, 1}));
+  }
+}
+
+// Found by a reviewer: between the ends of an arc, but where the double to go on from lies on what joins an end that
+// rounding moved off the circle.
+TEST(ArcOrbit, GoesOnFromBesideAnEnd) {
+  Draws draw(61);
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = 6.28 * draw.unit();
+    const Vec2 from(portable::cos(angle), portable::sin(angle)), to(-from.y(), from.x());
+    const Vec2 start = 0.5 * draw.point() - Vec2(0.25, 0.25), inward = 1e-17 * (to - from);
+    const Ray ray{start, from + inward - start};
+    Surfaces walls;
+    walls.add(Arc{Circle{{0, 0}, 1}, Arc::Extent::between, from, to});
+    const NearestHit hit = find_tracer("exact")->build(walls)->nearest_of_one(ray, {}, false);
+    if (!hit || hit.at_end) continue;
+    ++hits;
+    const Orbit orbit = in_mirrors(walls, ray, 1);
+    EXPECT_EQ(orbit.bounces.size(), 1U) << i;
+    EXPECT_EQ(orbit.end, OrbitEnd::limit) << i;
+    const Orbit on = in_mirrors(walls, ray, 2);
+    EXPECT_TRUE(on.end != OrbitEnd::corner || on.end_point != on.bounces[0].point) << i;
+  }
+  EXPECT_GT(hits, 300);
+}
+
+// Found by a reviewer: what another wall meets in an end that is no double was told, or not, by the order of walls.
+TEST(ArcOrbit, EndsAreMetInAnyOrderOfWalls) {
+  struct Case {
+    Arc arc;
+    Segment across;
+    Ray ray;
+    Vec2 point;
+  };
+  const auto part = [](const Vec2& from, const Vec2& to) {
+    return Arc{Circle{{0, 0}, 1}, Arc::Extent::between, from, to};
+  };
+  const Case cases[] = {
+      {part({3, 0}, {0, 3}), {{1, -4}, {1, 4}}, {{-0.5, -0.5}, {1.5, 0.5}}, {1, 0}},
+      {part({3, 1}, {-1, 0}), {{1, 0}, {4, 2}}, {{5, 0}, {-9, 2}}, {2, 2.0 / 3}},
+      {part({4, 3}, {-4, 3}), {{2, 0}, {0, 1}}, {{0, -1}, {1, 2}}, {0.8, 0.6}},
+      {{Circle{{0, 0}, 1}, Arc::Extent::half, {-3, 4}, {0, 0}},
+       {{2, 0}, {0, 1}},
+       {{0, -1}, {1, 2}},
+       {0.8, 0.6}}};
+  for (const auto& [arc, across, ray, point] : cases)
+    for (const bool arc_first : {true, false}) {
+      Surfaces walls;
+      if (arc_first) walls.add(arc);
+      walls.add(across);
+      if (!arc_first) walls.add(arc);
+      const Orbit orbit = in_mirrors(walls, ray, 10);
+      EXPECT_EQ(orbit.end, OrbitEnd::corner);
+      EXPECT_EQ(orbit.end_point, point);
+      EXPECT_EQ(orbit.end_surfaces, (std::vector<std::uint32_t>{0, 1})) << arc_first;
+      std::vector<Material> with_hole = {Material::mirror, Material::hole};
+      if (!arc_first) std::swap(with_hole[0], with_hole[1]);
+      EXPECT_EQ(trace_orbit(walls, with_hole, ray, 10).end, OrbitEnd::absorbed) << arc_first;
+    }
+}
+
+// Found by a reviewer: a disc touched in the end of a wall, and a parabola touched anywhere, are passed by.
+TEST(ArcOrbit, WhatIsTouchedMakesNoCorner) {
+  Surfaces walls;
+  walls.add(Circle{{6, 8}, 5});
+  walls.add(Segment{{3, 4}, {3, 9}});
+  const std::vector<Material> disc_absorbs = {Material::hole, Material::mirror};
+  const Orbit at_end = trace_orbit(walls, disc_absorbs, {{-1, 7}, {4, -3}}, 10);
+  EXPECT_EQ(at_end.end, OrbitEnd::corner);
+  EXPECT_EQ(at_end.end_surfaces, (std::vector<std::uint32_t>{1}));
+  for (const bool upward : {true, false}) {
+    Surfaces parabola;
+    parabola.add(upward ? Bezier({-1, 1}, {0, -1}, {1, 1}) : Bezier({1, 1}, {0, -1}, {-1, 1}));
+    parabola.add(Segment{{1, -1}, {-1, 1}});
+    const Orbit orbit = in_mirrors(parabola, {{-3, 0}, {1, 0}}, 1);
+    ASSERT_EQ(orbit.bounces.size(), 1U);
+    EXPECT_EQ(orbit.bounces[0].surface, 1U);
+    EXPECT_LE(orbit.bounces[0].point.y(), 0) << "beyond the parabola";
+  }
+}
+
+// Found by a reviewer: boxes about halves of a heavy conic are as large as its legs.
+TEST(BezierOrbit, AHeavyConicIsNoCornerOfWhatItIsFarFrom) {
+  for (const double weight : {100.0, 1e4, 0x1p40}) {
+    Surfaces walls;
+    walls.add(Bezier({-2, -1}, {1, 2}, {0, 0}, weight));
+    walls.add(Circle{{-2, -2}, 2});
+    const Orbit orbit = in_mirrors(walls, {{0, -1}, {-1, 0}}, 1);
+    ASSERT_EQ(orbit.bounces.size(), 1U) << weight;
+    EXPECT_EQ(orbit.bounces[0].surface, 1U);
   }
 }
 

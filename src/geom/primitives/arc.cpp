@@ -199,24 +199,51 @@ bool is_crossed(const Arc& wall, const Ray& ray) {
   return hit && !hit->tangent;
 }
 
-// Of two ends at the same time the first; of what joins one to the curve the point met.
-Vec2 end_met(const Arc& arc, const Ray& ray, Root root) {
+namespace {
+
+// The end of an arc that a ray arrives at, or by whose joint it does; of two at the same time the first.
+Vec2 end_arrived_at(const Arc& arc, const Ray& ray, Root root) {
   const Vec2& centre = arc.curve.centre;
   if (root == Root::none) {
-    for (const Vec2& end : {arc.from, arc.to})
-      if (is_on_joint(arc.curve, end, ray.origin)) return ray.origin;
     const auto from = joint_met(arc, ray, arc.from), to = joint_met(arc, ray, arc.to);
-    const Vec2& end = from && (!to || compare(*from, *to) <= 0) ? arc.from : arc.to;
-    if (side_of_ray(ray, end) == Sign::zero) return end;
-    return ExactHit(ray, Segment{centre, end}).nearest();
+    return from && (!to || compare(*from, *to) <= 0) ? arc.from : arc.to;
   }
   const ExactHit exact(ray, arc, root);
-  if (arc.extent == Arc::Extent::half) return exact.nearest();
   const bool at_from = exact.turn(centre, centre, arc.from) == Sign::zero;
   const bool at_to = exact.turn(centre, centre, arc.to) == Sign::zero;
   if (at_from != at_to) return at_from ? arc.from : arc.to;
   // Of a half turn: the ends lie opposite, and the arc is on the left of the line from `from`.
   return exact.ahead(centre, centre, arc.from) == Sign::positive ? arc.from : arc.to;
+}
+
+bool starts_on_joint(const Arc& arc, const Vec2& start) {
+  return arc.extent == Arc::Extent::between &&
+         (is_on_joint(arc.curve, arc.from, start) || is_on_joint(arc.curve, arc.to, start));
+}
+
+// Whether an end stands for a point of its joint, as one that rounding moved off the curve does.
+bool stands_for(const Vec2& end, const Vec2& point) {
+  return (end - point).cwiseAbs().maxCoeff() <= 0x1p-50 * point.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+std::optional<ExactHit> exact_end(const Arc& wall, const Ray& ray, Root root) {
+  if (is_zero(ray.direction)) return std::nullopt;
+  if (root != Root::none) return ExactHit(ray, wall, root);
+  if (starts_on_joint(wall, ray.origin)) return std::nullopt;
+  const Segment line{wall.curve.centre, end_arrived_at(wall, ray, root)};
+  return is_crossed(line, ray) ? std::optional(ExactHit(ray, line)) : std::nullopt;
+}
+
+Vec2 end_met(const Arc& arc, const Ray& ray, Root root) {
+  if (root == Root::none && starts_on_joint(arc, ray.origin)) return ray.origin;
+  const auto exact = exact_end(arc, ray, root);
+  if (exact && arc.extent == Arc::Extent::half) return exact->nearest();
+  const Vec2 end = end_arrived_at(arc, ray, root);
+  if (!exact) return end;
+  const Vec2 nearest = exact->nearest();
+  return stands_for(end, nearest) ? end : nearest;
 }
 
 Vec2 point_met(const Arc& wall, const Ray& ray, Root root) {

@@ -89,19 +89,27 @@ std::vector<BezierRoot> rational_roots(const Bezier& curve, const Ray& ray) {
   return found;
 }
 
-// Whether a part of the hull of the curve may lie in a box about 0, by halves of it.
-bool hull_passes(const Bernstein<double>& x, const Bernstein<double>& y, const Vec2& half,
-                 int halvings) {
-  const auto is_past = [](const Bernstein<double>& c, double side) {
-    return std::all_of(c.begin(), c.end(), [&](double value) { return value > side; }) ||
-           std::all_of(c.begin(), c.end(), [&](double value) { return value < -side; });
-  };
-  if (is_past(x, half.x()) || is_past(y, half.y())) return false;
-  if (halvings == 0) return true;
-  const auto xs = halves(x, 0.5), ys = halves(y, 0.5);
-  return hull_passes(xs[0], ys[0], half, halvings - 1) ||
-         hull_passes(xs[1], ys[1], half, halvings - 1);
-}
+// A curve x / weights, y / weights.
+struct WeightedHull {
+  Bernstein<double> x, y, weights;
+
+  bool is_past(const Bernstein<double>& c, double side) const {
+    bool above = true, below = true;
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      above = above && c[k] > side * weights[k];
+      below = below && c[k] < -side * weights[k];
+    }
+    return above || below;
+  }
+  // Whether a part of it may lie in a box about 0, by halves of it.
+  bool passes(const Vec2& half, int halvings) const {
+    if (is_past(x, half.x()) || is_past(y, half.y())) return false;
+    if (halvings == 0) return true;
+    const auto xs = halves(x, 0.5), ys = halves(y, 0.5), ws = halves(weights, 0.5);
+    return WeightedHull{xs[0], ys[0], ws[0]}.passes(half, halvings - 1) ||
+           WeightedHull{xs[1], ys[1], ws[1]}.passes(half, halvings - 1);
+  }
+};
 
 HitTime time_of(const Bezier& wall, const Ray& ray, const BezierRoot& root) {
   if (root.is_end()) return HitTime::abreast(ray, root.s.hi() == 0 ? wall.start() : wall.end());
@@ -217,17 +225,18 @@ Bounds bounds_of(const Bezier& wall) {
   return box;
 }
 
-// Halves of a polygon of control points round each of them by at most an ulp of the largest a time.
+// Halves of a polygon of control points round each of them by at most an ulp of the largest a time, times its weight.
+// A heavy middle point draws all but the ends of the parameter's range to it.
 bool passes_near(const Bezier& wall, const Vec2& point, const Vec2& reach) {
-  constexpr int kHalvings = 6;
+  const int halvings = 6 + std::ilogb(std::max(wall.weight, 1.0));
   const Bounds box = bounds_of(wall);
   const Vec2 largest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(point.cwiseAbs());
   const Vec2 half =
-      std::max(wall.weight, 1.0) * (reach + 0x1p-46 * largest + Vec2::Constant(kUnderflowError));
+      reach + 0x1p-45 * largest + Vec2::Constant(kUnderflowError / std::min(wall.weight, 1.0));
   const auto from = [&](int axis) {
     return bernstein_of(kPlain, wall, [&](const Vec2& p) { return p[axis] - point[axis]; });
   };
-  return hull_passes(from(0), from(1), half, kHalvings);
+  return WeightedHull{from(0), from(1), weights_of(kPlain, wall)}.passes(half, halvings);
 }
 
 Sign side_of(const Bezier& wall, const Vec2& point) { return level_of(wall, point).side; }

@@ -233,6 +233,8 @@ double parameter_near(const Bezier& curve, const Vec2& point);
 /// The tangent there, of any length, in plain doubles: towards greater s.
 Vec2 tangent_at(const Bezier& curve, double s);
 Vec2 point_at(const Bezier& curve, double s);
+/// Positive where it turns to the left, in plain doubles.
+double bend_at(const Bezier& curve, double s);
 /// How fast the point moves with s, how much it turns on its way, and a bound of its acceleration, in plain
 /// doubles.
 double speed_at(const Bezier& curve, double s);

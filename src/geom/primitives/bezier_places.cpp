@@ -73,14 +73,16 @@ double speed_at(const Bezier& curve, double s) {
   return size_of(tangent_at(curve, s)) / (weight * weight);
 }
 
-double curvature_at(const Bezier& curve, double s) {
+double bend_at(const Bezier& curve, double s) {
   const auto bend = [&](int axis) {
     return bernstein_value(bernstein_derivative(rates_of(kPlain, curve, axis)), s);
   };
-  const Vec2 rate = tangent_at(curve, s);
-  const double speed = size_of(rate), weight = weight_at(curve, s);
-  return std::fabs(cross(rate, Vec2(bend(0), bend(1)))) / (speed * speed * speed) *
-         (weight * weight);
+  return cross(tangent_at(curve, s), Vec2(bend(0), bend(1)));
+}
+
+double curvature_at(const Bezier& curve, double s) {
+  const double speed = size_of(tangent_at(curve, s)), weight = weight_at(curve, s);
+  return std::fabs(bend_at(curve, s)) / (speed * speed * speed) * (weight * weight);
 }
 
 // Of r / w^2 it is r' / w^2 - 2 w' r / w^3.

@@ -90,12 +90,21 @@ inline HitTime time_met(const Arc& wall, const Ray& ray, Root root) {
 HitTime time_met(const Bezier& wall, const Ray& ray, Root root);
 
 /// The end of a wall that a ray meets; where it meets both, as those of a segment along the ray,
-/// the first. Of what joins an end of an arc to its curve the nearest doubles of the point met.
+/// the first. Of an arc that ends off its curve by more than rounding the nearest doubles of the point met.
 ///
 /// Needs   a ray that is known to meet an end.
 Vec2 end_met(const Segment& wall, const Ray& ray, Root root);
 Vec2 end_met(const Arc& wall, const Ray& ray, Root root);
 Vec2 end_met(const Bezier& wall, const Ray& ray, Root root);
+/// That point without rounding; nullopt where it is a double that end_met() gives.
+inline std::optional<ExactHit> exact_end(const Segment& wall, const Ray& ray, Root) {
+  return is_crossed(wall, ray) ? std::optional(ExactHit(ray, wall)) : std::nullopt;
+}
+std::optional<ExactHit> exact_end(const Arc& wall, const Ray& ray, Root root);
+inline std::optional<ExactHit> exact_end(const Bezier& wall, const Ray& ray, Root root) {
+  return root == Root::none || is_zero(ray.direction) ? std::nullopt
+                                                      : std::optional(ExactHit(ray, wall, root));
+}
 /// Nearest doubles of the point in which a ray meets a wall between its ends.
 inline Vec2 point_met(const Segment& wall, const Ray& ray, Root) {
   return ExactHit(ray, wall).nearest();
