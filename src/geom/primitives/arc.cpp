@@ -240,10 +240,10 @@ Vec2 end_met(const Arc& arc, const Ray& ray, Root root) {
   if (root == Root::none && starts_on_joint(arc, ray.origin)) return ray.origin;
   const auto exact = exact_end(arc, ray, root);
   if (exact && arc.extent == Arc::Extent::half) return exact->nearest();
-  const Vec2 end = end_arrived_at(arc, ray, root);
-  if (!exact) return end;
-  const Vec2 nearest = exact->nearest();
-  return stands_for(end, nearest) ? end : nearest;
+  Vec2 point = end_arrived_at(arc, ray, root);
+  if (!exact) return point;
+  if (const Vec2 nearest = exact->nearest(); !stands_for(point, nearest)) point = nearest;
+  return point;
 }
 
 Vec2 point_met(const Arc& wall, const Ray& ray, Root root) {
