@@ -17,10 +17,6 @@ template <class Wall>
 bool is_on_joints(const Wall&, const Vec2&) {
   return false;
 }
-bool is_on_joints(const Arc& wall, const Vec2& point) {
-  return wall.extent == Arc::Extent::between &&
-         (is_on_joint(wall.curve, wall.from, point) || is_on_joint(wall.curve, wall.to, point));
-}
 
 template <class Wall>
 bool keeps_to_cone(const Wall& wall, const Vec2& point, PlaceOn cone) {
@@ -33,6 +29,12 @@ bool keeps_to_cone(const Wall& wall, const Vec2& point, PlaceOn cone) {
 Sign outer_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit, GoesOn to) {
   const Sign inner = inner_side(walls, ray, hit);
   return to == GoesOn::back ? -inner : inner;
+}
+
+// Of walls in ascending order, each once.
+void add_to(std::vector<std::uint32_t>& walls, std::uint32_t surface) {
+  const auto place = std::ranges::lower_bound(walls, surface);
+  if (place == walls.end() || *place != surface) walls.insert(place, surface);
 }
 
 double reach(double x) { return step_ulps(std::fabs(x), kReachUlps) - std::fabs(x); }
@@ -73,9 +75,7 @@ ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const Exac
 // The end of a wall need not be a double, and is not on its own wall then.
 ExactOrigin ExactOrigins::at_end(const Vec2& end, std::uint32_t surface) const {
   ExactOrigin origin{end, walls_at(end)};
-  std::vector<std::uint32_t>& corner = origin.corner;
-  const auto place = std::ranges::lower_bound(corner, surface);
-  if (place == corner.end() || *place != surface) corner.insert(place, surface);
+  add_to(origin.corner, surface);
   return origin;
 }
 
@@ -159,12 +159,10 @@ ExactOrigin ExactOrigins::beside_others(const Exact& exact, std::uint32_t surfac
 template <class Exact>
 ExactOrigin ExactOrigins::with_met(ExactOrigin origin, const Exact& exact,
                                    std::uint32_t surface) const {
-  std::vector<std::uint32_t>& corner = origin.corner;
   for (const std::uint32_t other : walls_near(exact.nearest(), surface)) {
     const NearWall near = near_wall(other, exact);
-    if (near.passed) std::erase(corner, other);
-    if (near.hit && !std::ranges::binary_search(corner, other))
-      corner.insert(std::ranges::lower_bound(corner, other), other);
+    if (near.passed) std::erase(origin.corner, other);
+    if (near.hit) add_to(origin.corner, other);
   }
   return origin;
 }

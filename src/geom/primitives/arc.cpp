@@ -108,11 +108,14 @@ bool is_on_joint(const Ellipse& curve, const Vec2& end, const Vec2& point) {
   return side != Sign::zero && curve_side(point, curve) == side && ahead_of(end) != side;
 }
 
+bool is_on_joints(const Arc& arc, const Vec2& point) {
+  return arc.extent == Arc::Extent::between &&
+         (is_on_joint(arc.curve, arc.from, point) || is_on_joint(arc.curve, arc.to, point));
+}
+
 PlaceOn place_on(const Arc& arc, const Vec2& point) {
   if (curve_side(point, arc.curve) == Sign::zero) return place_in_cone(arc, point);
-  if (arc.extent != Arc::Extent::between) return PlaceOn::outside;
-  const auto joins = [&](const Vec2& end) { return is_on_joint(arc.curve, end, point); };
-  return joins(arc.from) || joins(arc.to) ? PlaceOn::at_end : PlaceOn::outside;
+  return is_on_joints(arc, point) ? PlaceOn::at_end : PlaceOn::outside;
 }
 
 HalfAxes half_axes(const Ellipse& curve) {
@@ -216,11 +219,6 @@ Vec2 end_arrived_at(const Arc& arc, const Ray& ray, Root root) {
   return exact.ahead(centre, centre, arc.from) == Sign::positive ? arc.from : arc.to;
 }
 
-bool starts_on_joint(const Arc& arc, const Vec2& start) {
-  return arc.extent == Arc::Extent::between &&
-         (is_on_joint(arc.curve, arc.from, start) || is_on_joint(arc.curve, arc.to, start));
-}
-
 // Whether an end stands for a point of its joint, as one that rounding moved off the curve does.
 bool stands_for(const Vec2& end, const Vec2& point) {
   return (end - point).cwiseAbs().maxCoeff() <= 0x1p-50 * point.cwiseAbs().maxCoeff();
@@ -231,13 +229,13 @@ bool stands_for(const Vec2& end, const Vec2& point) {
 std::optional<ExactHit> exact_end(const Arc& wall, const Ray& ray, Root root) {
   if (is_zero(ray.direction)) return std::nullopt;
   if (root != Root::none) return ExactHit(ray, wall, root);
-  if (starts_on_joint(wall, ray.origin)) return std::nullopt;
+  if (is_on_joints(wall, ray.origin)) return std::nullopt;
   const Segment line{wall.curve.centre, end_arrived_at(wall, ray, root)};
   return is_crossed(line, ray) ? std::optional(ExactHit(ray, line)) : std::nullopt;
 }
 
 Vec2 end_met(const Arc& arc, const Ray& ray, Root root) {
-  if (root == Root::none && starts_on_joint(arc, ray.origin)) return ray.origin;
+  if (root == Root::none && is_on_joints(arc, ray.origin)) return ray.origin;
   const auto exact = exact_end(arc, ray, root);
   if (exact && arc.extent == Arc::Extent::half) return exact->nearest();
   Vec2 point = end_arrived_at(arc, ray, root);

@@ -146,6 +146,8 @@ Sign curve_side(const Vec2& point, const Ellipse& curve);
 
 /// Whether a point is on what joins an end of an arc to the curve, without the point on the curve. Exact.
 bool is_on_joint(const Ellipse& curve, const Vec2& end, const Vec2& point);
+/// Whether a point lies on what joins either end of an arc to it. Exact.
+bool is_on_joints(const Arc& arc, const Vec2& point);
 
 /// The place in the cone of an arc of a point given by where it lies: `turn(p, a, b)` is the sign of
 /// (b - a) x (point - p).
