@@ -100,6 +100,7 @@ std::string reason_to_move(const Scene& scene) {
   }
   for (const Entity& entity : scene.entities)
     if (auto reason = reason_of(scene, entity); !reason.empty()) return reason;
+  if (scene.collisions && scene.collisions->time_bar) return "the mark of the time bar moves";
   return reason_of_lamps(scene);
 }
 

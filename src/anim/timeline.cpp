@@ -115,6 +115,14 @@ std::vector<std::vector<std::uint64_t>> hits_of(const Scene& scene,
 
 }  // namespace
 
+double frame_at(const Scene& scene, double time) {
+  double before = std::floor(time * scene.fps);
+  if (before / scene.fps > time) --before;
+  if ((before + 1) / scene.fps <= time) ++before;
+  if (before / scene.fps == time) return 1 + before;
+  return std::clamp(1 + time * scene.fps, 1 + before, std::nextafter(2 + before, 0.0));
+}
+
 Timeline::Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame, Responses responses)
     : scene_(&scene),
       seed_(seed),

@@ -63,4 +63,9 @@ class Timeline {
   Bounds content_;
 };
 
+/// Frame that shows a time, from 1, and how much of it is over: f with k <= f < k + 1 from the time of
+/// frame k on, (k - 1) / fps as a double, until that of the next.
+/// Needs   a time of at least 0 whose frame is below 2^52.
+double frame_at(const Scene& scene, double time);
+
 }  // namespace flatray

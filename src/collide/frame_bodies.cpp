@@ -33,6 +33,13 @@ void stretch(MeetingPart& part, const At& at) {
   part.width = (1 + 0x1p-50) * (end - part.times.low);
 }
 
+// Whether a motion begins and ends where the frames show it, and does not jump at the time of one.
+bool shows(const RigidMotion& motion, const Vec2& now, const Vec2& next) {
+  const double rounding = motion.doubt + 0x1p-40 * motion.at.sum(1);
+  return (motion.at.c[0] - now).cwiseAbs().maxCoeff() <= rounding &&
+         (motion.at.c[0] + motion.at.c[1] - next).cwiseAbs().maxCoeff() <= rounding;
+}
+
 }  // namespace
 
 FrameBodies::FrameBodies(const Timeline& timeline, Outline outline, unsigned frame,
@@ -49,7 +56,8 @@ FrameBodies::FrameBodies(const Timeline& timeline, Outline outline, unsigned fra
     goes_straight_.push_back(motion_.knots(i, std::nullopt, from_, to_).empty());
     CarriedShape carried{shape(i), {}};
     if (goes_straight_[i]) carried.way = motion_.between(i, std::nullopt, frame_, from_, to_);
-    goes_straight_[i] = goes_straight_[i] && carried.goes_straight();
+    goes_straight_[i] = goes_straight_[i] && carried.goes_straight() &&
+                        shows(carried.way.motion, now[i].at, next[i].at);
     doubts_.push_back(carried.way.motion.doubt);
     straight_.push_back(
         {shape(i), pose(now[i].at, carried.way.motion.angle.c[0], scale), next[i].at - now[i].at});
@@ -60,14 +68,19 @@ const Shape* FrameBodies::shape(std::uint32_t entity) const {
   return &shape_of(scene_, now_[entity]);
 }
 
+bool FrameBodies::are_straight(const IndexPair& pair) const {
+  return outline_ == Outline::own && goes_straight_[pair.first] && goes_straight_[pair.second] &&
+         !moving_group_of_both(scene_, pair.first, pair.second);
+}
+
 std::vector<Bounds> FrameBodies::boxes() const {
   std::vector<Bounds> boxes;
   for (std::uint32_t i = 0; i < straight_.size(); ++i) {
     const MovingShape& body = straight_[i];
-    boxes.push_back(goes_straight_[i]
+    boxes.push_back(goes_straight_[i] && doubts_[i] < kTamest
                         ? swept(shape_bounds(*body.shape, body.place), body.velocity, 1)
                         : box_of(i));
-    if (goes_straight_[i] && !boxes.back().empty()) {
+    if (goes_straight_[i] && doubts_[i] < kTamest && !boxes.back().empty()) {
       const Vec2 room(doubts_[i], doubts_[i]);
       boxes.back() = {boxes.back().low - room, boxes.back().high + room};
     }

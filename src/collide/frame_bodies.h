@@ -16,10 +16,8 @@ class FrameBodies {
 
   /// Bodies of those that go straight from frame to frame: t counts frames.
   std::span<const MovingShape> straight() const { return straight_; }
-  /// Whether both do, and it is their own outlines that meet.
-  bool are_straight(const IndexPair& pair) const {
-    return outline_ == Outline::own && goes_straight_[pair.first] && goes_straight_[pair.second];
-  }
+  /// Whether both do, it is their own outlines that meet, and no group moves both.
+  bool are_straight(const IndexPair& pair) const;
   /// A box around each on its way.
   std::vector<Bounds> boxes() const;
 

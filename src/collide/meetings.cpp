@@ -94,6 +94,36 @@ class MeetingFinder {
       one_frame(frame, now, next);
       now = std::move(next);
     }
+    last_instant(now, (last_frame - 1.0) / scene_.fps);
+  }
+
+  // What overlaps where the last frame shows it and is not told yet: of what has not moved, or has just
+  // jumped there. As what moves both has them, which rounding may make overlap, it is not asked.
+  void last_instant(const std::vector<EntityState>& states, double time) {
+    std::vector<MovingShape> bodies;
+    std::vector<Bounds> boxes;
+    for (const EntityState& state : states) {
+      bodies.push_back(
+          {&shape_of(scene_, state), pose(state.at, state.angle, state.scale), {0, 0}});
+      boxes.push_back(shape_bounds(*bodies.back().shape, bodies.back().place));
+    }
+    each_batch(boxes, straight_, [&](const std::vector<IndexPair>& pairs) {
+      const auto met = pairs_meet(bodies, pairs, {0, 0}, threads_, outline_);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (is_told(pairs[i], time) ||
+            moving_group_of_both(scene_, pairs[i].first, pairs[i].second))
+          continue;
+        for (MeetingPart part : met[i]) {
+          part.times = {time, time};
+          if (part.start == StartPlace::inside) add(pairs[i], part);
+        }
+      }
+    });
+  }
+
+  bool is_told(const IndexPair& pair, double time) const {
+    const auto told = parts_.find(pair);
+    return told != parts_.end() && told->second.back().times.high >= time;
   }
 
   // What does not, against everything, from one frame to the next.

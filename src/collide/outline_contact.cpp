@@ -164,7 +164,7 @@ bool add_part(std::vector<MeetingPart>& parts, const MeetingPart& next) {
   }
   last.times.high = std::max(last.times.high, next.times.high);
   last.kind = std::max(last.kind, next.kind);
-  last.start = std::max(last.start, next.start);
+  if (next.times.low == last.times.low) last.start = std::max(last.start, next.start);
   return false;
 }
 

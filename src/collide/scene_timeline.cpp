@@ -181,7 +181,11 @@ Result<PartTimeline> timeline_before_trouble(const Scene& scene, std::uint64_t s
       }))
     return made;
   // A frame more, so that what happens at the last one does not hang on how a time is rounded.
-  const bool ahead = scene.collisions && scene.collisions->time_bar;
+  // With all frames where one shows what comes later, and where rays meet mirrors between frames: from one
+  // event to the next these go to where the later one has them.
+  const bool ahead =
+      (scene.collisions && scene.collisions->time_bar) ||
+      std::ranges::any_of(scene.rays, [](const RayPath& ray) { return ray.speed.has_value(); });
   const unsigned frames = ahead ? std::max(last_frame, scene.frames) : last_frame;
   Simulation done = simulate(*bodies, frames / scene.fps, most_events(scene));
   const auto time_of = [&](unsigned frame) { return (frame - 1.0) / scene.fps; };

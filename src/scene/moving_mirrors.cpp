@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+
 #include "scene/material.h"
 #include "scene/part_counts.h"
 #include "scene/responses.h"
@@ -9,8 +12,10 @@
 namespace flatray {
 namespace {
 
-bool is_smooth(const Scene& scene, const std::optional<CurveId>& curve) {
-  return curve && scene.curves[*curve].ease == Curve::Ease::smooth;
+bool has_ease(const Scene& scene, const Motion& motion, Curve::Ease ease) {
+  return std::ranges::any_of(std::array{motion.x, motion.y}, [&](const auto& curve) {
+    return curve && scene.curves[*curve].ease == ease;
+  });
 }
 
 // Of an entity or a group; "" where it moves straight from key to key.
@@ -18,8 +23,8 @@ template <class Thing>
 const char* why_not_straight(const Scene& scene, const Thing& thing) {
   if (thing.angular_velocity != 0 || thing.motion.angle) return "turns";
   if (thing.motion.follow) return "follows a path";
-  if (is_smooth(scene, thing.motion.x) || is_smooth(scene, thing.motion.y))
-    return "follows a smooth curve";
+  if (has_ease(scene, thing.motion, Curve::Ease::smooth)) return "follows a smooth curve";
+  if (has_ease(scene, thing.motion, Curve::Ease::step)) return "jumps from key to key";
   return "";
 }
 

@@ -47,15 +47,11 @@ double depth(const Segment& wall, const Vec2& place) {
   return cross(edge, place - wall.a) / std::sqrt(edge.dot(edge));
 }
 
-struct Disc {
-  std::uint32_t surface;
-  Circle circle;
-};
-
 // The whole circles that reach over the walls of a cell and come in copies, by radius: a single one is no part
 // of what the cell repeats.
-std::vector<Disc> discs_across(const Surfaces& walls, std::span<const PeriodicWalls::Side> sides) {
-  std::vector<Disc> across, copied;
+std::vector<PeriodicWalls::Disc> discs_across(const Surfaces& walls,
+                                              std::span<const PeriodicWalls::Side> sides) {
+  std::vector<PeriodicWalls::Disc> across, copied;
   for (const std::uint32_t surface : walls.curve_numbers) {
     const auto disc = walls.visit(surface, [](const auto& wall) { return whole_circle(wall); });
     const auto reaches = [&](const PeriodicWalls::Side& side) {
@@ -64,7 +60,8 @@ std::vector<Disc> discs_across(const Surfaces& walls, std::span<const PeriodicWa
     if (disc && std::ranges::any_of(sides, reaches)) across.push_back({surface, *disc});
   }
   const auto radius = [&](std::size_t i) { return across[i].circle.radius; };
-  std::ranges::stable_sort(across, {}, [](const Disc& disc) { return disc.circle.radius; });
+  std::ranges::stable_sort(across, {},
+                           [](const PeriodicWalls::Disc& disc) { return disc.circle.radius; });
   for (std::size_t i = 0; i < across.size(); ++i)
     if ((i > 0 && radius(i - 1) == radius(i)) ||
         (i + 1 < across.size() && radius(i + 1) == radius(i)))
@@ -74,7 +71,8 @@ std::vector<Disc> discs_across(const Surfaces& walls, std::span<const PeriodicWa
 
 // Which of them are copies of others, told by where these stand in the cells around: the nearest, where rounding may
 // have left it. Of two the earlier surface is no copy.
-std::vector<PeriodicWalls::Copy> copies_among(std::span<const Disc> discs, const Lattice& lattice) {
+std::vector<PeriodicWalls::Copy> copies_among(std::span<const PeriodicWalls::Disc> discs,
+                                              const Lattice& lattice) {
   constexpr int kCells = 2;
   constexpr double kRounding =
       0x1p-51;  // of a centre's size, where a moving camera has rounded copies again
@@ -133,9 +131,8 @@ PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> ma
   }
   lattice_ = {{sides_[1].to(), sides_[1].from()}, {sides_[2].to(), sides_[2].from()}};
   rounded_ = {lattice_.a.b - lattice_.a.a, lattice_.b.b - lattice_.b.a};
-  const std::vector<Disc> across = discs_across(walls, sides_);
-  for (const Disc& disc : across) discs_.push_back(disc.circle);
-  copies_ = copies_among(across, lattice_);
+  discs_ = discs_across(walls, sides_);
+  copies_ = copies_among(discs_, lattice_);
 }
 
 const PeriodicWalls::Copy* PeriodicWalls::find_copy(std::uint32_t surface) const {
@@ -169,28 +166,51 @@ std::optional<PeriodicWalls::Entry> PeriodicWalls::cross(
   }
   for (const Side* side : *crossed)
     if (side->axis >= 0) entry.point[side->axis] = side->to()[side->axis];
-  const auto inner = inside(entry.point, crossed->back()->far);
+  const auto inner = inside(entry.point, crossed->back()->far, discs_around(point, entry.step));
   if (!inner) return std::nullopt;
   entry.point = *inner;
   return entry;
 }
 
-bool PeriodicWalls::may_stand(const Vec2& point) const {
+// By disc, whether a point of the cell that a step leaves is in it as that cell has it.
+std::vector<bool> PeriodicWalls::discs_around(const Vec2& point, const CellIndex& step) const {
+  const auto place_of = [&](const Disc& disc) {
+    const Copy* copy = find_copy(disc.surface);
+    return copy ? *copy : Copy{disc.surface, disc.surface, {0, 0}};
+  };
+  std::vector<bool> around(discs_.size(), false);
+  for (const Disc& left : discs_) {
+    if (curve_side(point, left.circle) != Sign::negative) continue;
+    const Copy before = place_of(left);
+    for (std::size_t i = 0; i < discs_.size(); ++i) {
+      Copy after = place_of(discs_[i]);
+      after.step += step;
+      if (after.of == before.of && after.step == before.step) around[i] = true;
+    }
+  }
+  return around;
+}
+
+bool PeriodicWalls::may_stand(const Vec2& point, const std::vector<bool>& around) const {
   const auto is_inside = [&](const Segment& wall) {
     return orientation(wall.a, wall.b, point) != Sign::negative;
   };
-  return std::ranges::all_of(sides_, is_inside, &Side::wall) && !in_disc_across(point);
+  for (std::size_t i = 0; i < discs_.size(); ++i)
+    if (curve_side(point, discs_[i].circle) != (around[i] ? Sign::negative : Sign::positive))
+      return false;
+  return std::ranges::all_of(sides_, is_inside, &Side::wall);
 }
 
 bool PeriodicWalls::in_disc_across(const Vec2& point) const {
   return std::ranges::any_of(
-      discs_, [&](const Circle& disc) { return curve_side(point, disc) != Sign::positive; });
+      discs_, [&](const Disc& disc) { return curve_side(point, disc.circle) != Sign::positive; });
 }
 
 // Copies of a disc are rounded, too: what goes round one may come in under another by as much, and is moved
 // along the wall then.
-std::optional<Vec2> PeriodicWalls::inside(const Vec2& place, const Segment& wall) const {
-  const auto accepted = [&](const Vec2& point) { return may_stand(point); };
+std::optional<Vec2> PeriodicWalls::inside(const Vec2& place, const Segment& wall,
+                                          const std::vector<bool>& around) const {
+  const auto accepted = [&](const Vec2& point) { return may_stand(point, around); };
   if (auto near = nearest_double(place, accepted)) return near;
   if (discs_.empty()) return std::nullopt;
   constexpr double kUlp = 0x1p-52;

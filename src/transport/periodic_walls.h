@@ -67,7 +67,12 @@ class PeriodicWalls {
   std::optional<Crossed> crossed_by(std::span<const std::uint32_t> surfaces,
                                     const LeadsOut& leads_out) const;
 
-  /// A disc that reaches over the walls, as it stands in a neighbouring cell: its centre is that of the
+  /// A disc that reaches over the walls.
+  struct Disc {
+    std::uint32_t surface;
+    Circle circle;
+  };
+  /// One as it stands in a neighbouring cell: its centre is that of the
   /// surface `of` and a step of the lattice, as exact numbers; the surface's own is rounded.
   struct Copy {
     std::uint32_t surface, of;
@@ -78,7 +83,9 @@ class PeriodicWalls {
 
   /// Where a ray that arrives at a point of some of them goes on.
   struct Entry {
-    Vec2 point;  ///< on the closed inner side of all walls of the cell, and outside all its discs
+    Vec2
+        point;  ///< on the closed inner side of all walls of the cell, and outside all its discs but
+                ///< those it was in
     std::uint32_t surface;  ///< the wall it comes in by, the last one where it was in a corner
     CellIndex step;         ///< from the cell that it left
   };
@@ -95,14 +102,16 @@ class PeriodicWalls {
   const Lattice& exact_lattice() const { return lattice_; }
 
  private:
-  std::optional<Vec2> inside(const Vec2& place, const Segment& wall) const;
-  bool may_stand(const Vec2& point) const;
+  std::vector<bool> discs_around(const Vec2& point, const CellIndex& step) const;
+  std::optional<Vec2> inside(const Vec2& place, const Segment& wall,
+                             const std::vector<bool>& around) const;
+  bool may_stand(const Vec2& point, const std::vector<bool>& around) const;
 
   std::vector<Side> sides_;  // in order round the cell
   Lattice lattice_{};
   std::array<Vec2, 2> rounded_{Vec2(0, 0), Vec2(0, 0)};
-  std::vector<Circle> discs_;  // that reach over its walls, each with the copies that do
-  std::vector<Copy> copies_;   // ascending
+  std::vector<Disc> discs_;   // that reach over its walls, each with the copies that do
+  std::vector<Copy> copies_;  // ascending
 };
 
 template <class LeadsOut>

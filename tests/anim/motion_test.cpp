@@ -57,6 +57,15 @@ TEST(Motion, ColoursThatChangeKeepNoFrameStill) {
   EXPECT_NE(reason_to_move(scene), "");
 }
 
+TEST(Motion, TheMarkOfATimeBarKeepsNoFrameStill) {
+  Scene scene = small_scene();
+  add_box(scene, {0, 0});
+  scene.collisions.emplace();
+  EXPECT_EQ(reason_to_move(scene), "");
+  scene.collisions->time_bar = Stroke{};
+  EXPECT_NE(reason_to_move(scene), "");
+}
+
 TEST(Camera, ZoomShowsLessAboutTheSameMiddle) {
   Scene scene = small_scene();
   scene.camera.zoom = {4, {}};

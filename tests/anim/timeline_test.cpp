@@ -52,6 +52,20 @@ TEST(Timeline, FramesBetweenThoseKeptAreThoseOfARunThatKeepsAll) {
   EXPECT_EQ(sparse.markov(0, last).moved, longer.markov(0, last).moved);
 }
 
+TEST(Timeline, ATimeIsInTheFrameWhoseTimeIsTheLastBeforeIt) {
+  Scene scene = small_scene();
+  for (const double fps : {24.0, 25.0, 29.97, 30.0, 49.0, 60.0}) {
+    scene.fps = fps;
+    for (int frame = 1; frame < 2000; ++frame) {
+      const double shown = (frame - 1) / fps, next = frame / fps;
+      EXPECT_EQ(frame_at(scene, shown), frame);
+      EXPECT_EQ(std::floor(frame_at(scene, std::nextafter(shown, 1e9))), frame);
+      EXPECT_EQ(std::floor(frame_at(scene, std::nextafter(next, 0.0))), frame);
+    }
+    EXPECT_NEAR(frame_at(scene, 10.5 / fps), 11.5, 1e-12);
+  }
+}
+
 TEST(Timeline, StatesFollowTheDrawsByTheirNames) {
   const Scene scene = with_chain(runner_chain());
   const Timeline timeline(scene, 7, 30);

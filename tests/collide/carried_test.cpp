@@ -214,6 +214,65 @@ TEST(Carried, WhatOneGroupCarriesIsToldAsItLiesThere) {
   EXPECT_EQ(met[1].part.kind, HitClass::touch);
 }
 
+// What jumps at the very time of a frame has not gone from where it was to where it is.
+TEST(Carried, JumpsAtTheTimesOfFramesAreNoFlights) {
+  const std::string box = "shape = { box = { min = [-0.5, -0.5], max = [0.5, 0.5] } }\n";
+  const std::string jumper =
+      "[[entity]]\nat = { keys = [[0, [0, 0]], [1, [10, 0]]], ease = \"step\" }\n" + box;
+  EXPECT_TRUE(meetings(scene_text(24, 2, jumper + "[[entity]]\nat = [5, 0]\n" + box)).empty());
+  const std::vector<Meeting> bullet =
+      meetings(scene_text(24, 2,
+                          jumper + "[[entity]]\nat = [0, -99]\nvelocity = [0, 100]\n"
+                                   "shape = { circle = { radius = 0.1 } }\n"));
+  ASSERT_EQ(bullet.size(), 1U);  // from y = -99 at 100 a second past what stands there still
+  EXPECT_NEAR(bullet[0].part.times.low, 0.984, 1e-12);
+  EXPECT_NEAR(bullet[0].part.times.high, 0.996, 1e-12);
+  const std::string corners =
+      "[[group]]\nname = \"g\"\nfollow = { path = [[0, 0], [10, 0], [10, 10], [0, 10]], closed = "
+      "true, duration = 4, turn = true }\n[[entity]]\ngroup = \"g\"\nat = [0, 10]\n" +
+      box + "[[entity]]\nat = [5, 5]\nshape = { circle = { radius = 0.4 } }\n";
+  EXPECT_TRUE(meetings(scene_text(24, 4, corners)).empty());
+  // Where it has jumped to at the last frame.
+  const std::vector<Meeting> last =
+      meetings(scene_text(24, 1, jumper + "[[entity]]\nat = [10.5, 0]\n" + box));
+  ASSERT_EQ(last.size(), 1U);
+  EXPECT_EQ(last[0].part.times.low, 1);
+  EXPECT_EQ(last[0].part.kind, HitClass::through);
+}
+
+TEST(Carried, OneFrameAloneTellsWhatOverlapsInIt) {
+  const std::string box = "shape = { box = { min = [-0.5, -0.5], max = [0.5, 0.5] } }\n";
+  const std::vector<Meeting> met = meetings(scene_text(
+      24, 0, "[[entity]]\nangular_velocity = 10\n" + box + "[[entity]]\nat = [0.5, 0]\n" + box));
+  ASSERT_EQ(met.size(), 1U);
+  EXPECT_EQ(met[0].part.start, StartPlace::inside);
+  EXPECT_EQ(met[0].part.times.high, 0);
+}
+
+TEST(Carried, WhatOneGroupCarriesStraightIsToldAsItLiesThere) {
+  const std::string one =
+      "[[entity]]\ngroup = \"g\"\nshape = { box = { min = [0, 0], max = [1, 1] } }\n";
+  const std::vector<Meeting> met =
+      meetings(scene_text(24, 2,
+                          "[[group]]\nname = \"g\"\nvelocity = [0.1, 0.3]\n" + one + one +
+                              "at = [1, 0]\n" + one + "at = [0, 1.0000000000000002]\n"));
+  ASSERT_EQ(met.size(), 1U);  // the last lies an ulp above the first
+  EXPECT_EQ(met[0].part.kind, HitClass::touch);
+  EXPECT_EQ(met[0].part.times.low, 0);
+  EXPECT_EQ(met[0].part.times.high, 2);
+}
+
+TEST(Carried, WhatTouchesAtFirstAndThenGoesInBeganByTouching) {
+  const std::string box = "shape = { box = { min = [-0.5, -0.5], max = [0.5, 0.5] } }\n";
+  const std::vector<Meeting> met =
+      meetings(scene_text(24, 1,
+                          "[[entity]]\nat = { keys = [[0, [0, 0]], [2, [1, 0]]] }\n" + box +
+                              "[[entity]]\nat = [1, 0]\n" + box));
+  ASSERT_EQ(met.size(), 1U);
+  EXPECT_EQ(met[0].part.start, StartPlace::boundary);
+  EXPECT_EQ(met[0].part.kind, HitClass::through);
+}
+
 // A bar that turns about its middle is as wide as 2 (2 |cos| + 0.5 |sin|): its box comes to another at
 // the side when its half is 2.05, on the way from 2 to sqrt(4.25).
 TEST(Carried, BoxesAreThoseOfEachInstant) {

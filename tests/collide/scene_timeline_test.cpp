@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "anim/moving_walls.h"
 #include "base/check.h"
 #include "support/pictures.h"
 
@@ -50,6 +51,16 @@ TEST(MakeTimeline, AFrameIsTheSameWhateverTheLastOne) {
     const auto alone = entity_states(timeline_of(scene, frame), frame);
     for (std::size_t i = 0; i < whole.size(); ++i) ASSERT_EQ(whole[i].at, alone[i].at);
   }
+}
+
+// A ray of finite speed meets mirrors where the events to come put them, between the frames.
+TEST(MakeTimeline, MovingMirrorsAreTheSameWhateverTheLastFrame) {
+  const std::string ray = "[[ray]]\nat = [0, 5]\ndirection = [1, 0]\nspeed = 2\n";
+  const Scene scene = text_scene(disc_entity("material = \"mirror\"\nat = [0.1, 0.2]") +
+                                     disc_entity("at = [-4.2, 0.9]\nvelocity = [1, 0]") + ray,
+                                 kBounce);
+  EXPECT_EQ(moving_walls(timeline_of(scene, 1)).motions.size(), 2U);
+  EXPECT_EQ(timeline_of(scene, 1).events().size(), timeline_of(scene, 41).events().size());
 }
 
 // With events at the very times of frames, too.

@@ -28,6 +28,11 @@ TEST(MovingMirrors, OthersAreRefusedOnlyWhereARayHasASpeed) {
   const std::vector<Refused> cases = {
       {with_mirror(kBox + "angular_velocity = 3"), "mirror 'door' turns: no ray of finite speed"},
       {with_mirror(kBox + smooth), "mirror 'door' follows a smooth curve"},
+      {with_mirror(kBox + "at = { keys = [[0, [0, 0]], [1, [2, 0]]], ease = \"step\" }"),
+       "mirror 'door' jumps from key to key"},
+      {with_mirror(kBox + "group = \"g\"\n[[group]]\nname = \"g\"\n"
+                          "at = [{ keys = [[0, 0], [1, 2]], ease = \"step\" }, 0]"),
+       "mirror 'door' is in a group that jumps from key to key"},
       {with_mirror(ellipse), "mirror 'door' has curves other than circles"},
       {with_mirror("shape = { circle = { radius = { keys = [[0, 1], [1, 2]] } } }"),
        "mirror 'door' changes its size"},

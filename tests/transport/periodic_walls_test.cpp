@@ -162,6 +162,24 @@ TEST(PeriodicWalls, LetNoOrbitIntoADiscOrOutOfTheCell) {
   }
 }
 
+// A disc on the walls, seen from within: as in the disc alone, however often the walls are crossed.
+TEST(PeriodicWalls, KeepAnOrbitInTheDiscItStartsIn) {
+  const Torus torus({{{0, 0.5}, 0.25}, {{1, 0.5}, 0.25}});
+  Surfaces disc;
+  disc.add(Circle{{0, 0.5}, 0.25});
+  for (int k = 0; k < 20; ++k) {
+    const Ray start{{0.125, 0.5 + 0.003 * k}, {-1, 0.0625 * k}};
+    const Orbit here = torus.orbit(start, 10), alone = in_mirrors(disc, start, 10);
+    ASSERT_EQ(here.bounces.size(), 10U);
+    EXPECT_GT(here.crossings.size(), 5U);
+    for (std::size_t i = 0; i < 10; ++i) {
+      const Vec2 place = here.bounces[i].point -
+                         torus.walls.arcs[here.bounces[i].surface - 4].curve.centre + Vec2(0, 0.5);
+      EXPECT_LT((place - alone.bounces[i].point).norm(), 1e-12);
+    }
+  }
+}
+
 // The corner (0, 2) belongs to three cells: what goes up to the left there is led through two of them.
 TEST(PeriodicWalls, AreCrossedInACornerOfAHexagon) {
   const Torus torus({{{0, 0}, 1}}, {{0, -2}, {2, -1}, {2, 1}, {0, 2}, {-2, 1}, {-2, -1}});

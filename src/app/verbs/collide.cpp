@@ -89,7 +89,8 @@ Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings, co
                "normal_y", "motion", "width"});
   for (const Meeting& meeting : meetings) {
     const auto& [times, kind, start, point, normal, width, certain] = meeting.part;
-    if (!asked.shows(1 + times.low * scene.fps, 1 + times.high * scene.fps)) continue;
+    const double frame = frame_at(scene, times.low);
+    if (!asked.shows(frame, frame_at(scene, times.high))) continue;
     const bool turning = width > 0;  // those too close to tell are called boundary
     const char* from = times.low > 0                              ? "apart"
                        : turning && start == StartPlace::boundary ? "undecided"
@@ -98,9 +99,9 @@ Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings, co
       return knows == Knows::all ? std::move(value) : JsonValue();
     };
     table.add({entity_name(scene, meeting.a), entity_name(scene, meeting.b),
-               known(certain ? name(kind) : "undecided"), times.low, times.high,
-               1 + times.low * scene.fps, known(from), known(plain(point.x())),
-               known(plain(point.y())), known(plain(normal.x())), known(plain(normal.y())),
+               known(certain ? name(kind) : "undecided"), times.low, times.high, frame, known(from),
+               known(plain(point.x())), known(plain(point.y())), known(plain(normal.x())),
+               known(plain(normal.y())),
                meeting.straight      ? "straight"
                : knows == Knows::all ? "changing"
                                      : "by frames",
@@ -132,7 +133,7 @@ Table event_table(const Scene& scene, const Simulation& done, const Asked& asked
   Table table({"a", "b", "t", "frame", "x", "y", "normal_x", "normal_y", "a_velocity_x",
                "a_velocity_y", "b_velocity_x", "b_velocity_y"});
   for (const CollisionEvent& e : done.events) {
-    const double frame = 1 + e.time * scene.fps;
+    const double frame = frame_at(scene, e.time);
     if (!asked.shows(frame, frame)) continue;
     table.add({entity_name(scene, e.a), entity_name(scene, e.b), e.time, frame, plain(e.point.x()),
                plain(e.point.y()), plain(e.normal.x()), plain(e.normal.y()),

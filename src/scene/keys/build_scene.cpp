@@ -31,6 +31,14 @@ void refuse_include(Builder& builder, const Field& field, Scene&) {
 
 constexpr NumberRule kFpsRule{&is_above_zero, "is not above 0", "write frames a second"};
 
+// So that the times of all frames are numbers.
+void read_fps(Builder& builder, const Field& field, Scene& scene) {
+  constexpr double kLeast = 1e-100;
+  set_number<&Scene::fps, kFpsRule>(builder, field, scene);
+  if (scene.fps < kLeast)
+    builder.in.problem(field.value.where, "fps is below 1e-100", kFpsRule.hint);
+}
+
 void read_seed(Builder& builder, const Field& field, Scene& scene) {
   const auto seed = builder.in.integer(field, 0, kMaxSeed);
   if (seed && !builder.seed) scene.seed = static_cast<std::uint64_t>(*seed);
@@ -43,7 +51,7 @@ constexpr Key<Scene> kSceneKeys[] = {
     {{"include", "[\"part.toml\", ...]", "[]"}, &refuse_include},
     {{"film", "{ size = [w, h], ... }", "{}"}, &read_film},
     {{"frames", "whole number", "1"}, &set_integer<&Scene::frames, 1, kLastFrame>},
-    {{"fps", "frames a second", "24"}, &set_number<&Scene::fps, kFpsRule>},
+    {{"fps", "frames a second", "24"}, &read_fps},
     {{"seed", "whole number", "0"}, &read_seed},
     {{"markov", "[markov.NAME]", "{}"}, &read_chains},
     {{"group", "[[group]]", "[]"}, &read_groups},

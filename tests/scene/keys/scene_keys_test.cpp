@@ -242,6 +242,7 @@ TEST(SceneKeys, WrongValuesAreRefused) {
       {"frames = 1000000001", "2:10: error: frames is 1000000001"},
       {"frames = 2.5", "2:10: error: frames is 2.5"},
       {"fps = 0", "2:7: error: fps is not above 0"},
+      {"fps = 1e-310", "2:7: error: fps is below 1e-100"},
       {"seed = -1", "2:8: error: seed is -1"},
       {"film = 3", "2:8: error: film is a number, not a table"},
       {"film = { world = [[0, 0], [0, 1]] }", "2:18: error: film.world has no area"},
