@@ -13,6 +13,12 @@ run 0 stability --families vertex --count 16385 --tracer grid -o few
 [[ $(awk 'NR > 1 { print $4 }' "$work/out.txt") == 16385 ]] || fail 'one ray more than a chunk was asked for'
 [[ $(grep '^vertex,grid,' few/stability.csv | cut -d, -f5,6 | tr '\n' ' ') == '0,1 0,16384 1,1 ' ]] || fail 'rows are not of the rays asked for'
 run 0 verify few
+cp -r few torn
+truncate -s -7 torn/stability.csv
+run 1 verify torn
+says out 'torn/stability.csv: ends within a line'
+run 2 stability --families vertex --count 1 --seed 18446744073709551616
+says err '18446744073709551616 is out of range'
 
 # What is logged is not done again, and more of it only adds rows.
 cp log/stability.csv before.csv

@@ -107,15 +107,21 @@ class FolderCheck {
       else
         tell(path, fmt::format("line {} is no record", number));
     });
-    if (!text->empty() && text->back() != '\n') tell(path, "ends within a line");
+    check_end(path, *text);
+  }
+
+  void check_end(const fs::path& path, std::string_view text) {
+    if (!text.empty() && text.back() != '\n') tell(path, "ends within a line");
   }
 
   // Rows of stability.csv and leaks.csv.
   void check_rows() {
     const auto check = [&](const char* name, const auto& log) {
       std::error_code ignored;
-      found_ = found_ || fs::exists(folder_ / name, ignored);
+      if (!fs::exists(folder_ / name, ignored)) return;
+      found_ = true;
       if (!log) return tell(log.error());
+      if (const auto text = read_regular_file(folder_ / name)) check_end(folder_ / name, *text);
       rows_ += log->size();
     };
     check(StabilityRows::kFormat.file, StabilityLog::open(folder_.string()));

@@ -14,7 +14,7 @@ namespace flatray {
 /// How the answers of one tracer to some rays of a family compare with the oracle's.
 struct StabilityTally {
   std::uint64_t rays = 0;
-  std::uint64_t hits = 0;          ///< rays that meet a wall
+  std::uint64_t hits = 0;          ///< rays that meet a wall and are told so right
   std::uint64_t wrong = 0;         ///< of wall, class, root or end; of these:
   std::uint64_t missed = 0;        ///< nothing met where there is a wall
   std::uint64_t invented = 0;      ///< a wall met where there is none

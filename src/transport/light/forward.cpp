@@ -30,9 +30,7 @@ class Forward {
     light_.round_unit = 0x1p-16 * place_.pixels_per_unit * scrambles_.front().emission.ray_power();
     while (light_.films.size() < scrambles_.size())
       light_.films.emplace_back(place_.width, place_.height, rules_.channels);
-    // What may draw more in one round than a film may hold of them takes longer than anyone waits.
-    const std::uint64_t most = std::min(most_lines_of_round(), LightFilm::kMostLines / 2);
-    while (light_.whole && light_.lines() <= LightFilm::kMostLines - most) {
+    while (light_.whole && light_.lines() <= LightFilm::kMostLines - most_lines_of_round()) {
       const std::optional<std::uint64_t> round = next(light_);
       if (!round) break;
       light_.whole = trace_round(*round);
