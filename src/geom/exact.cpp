@@ -1,13 +1,15 @@
 #include "geom/exact.h"
 
-#include <gmp.h>
+#include <gmpxx.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <new>
+#include <utility>
 
 namespace flatray {
 namespace {
@@ -17,28 +19,16 @@ constexpr int kMantissaBits = 53;
 constexpr long kLowestExponent = -1074, kTopExponent = 1024;
 
 // Fractions longer than this are brought to their lowest terms.
-constexpr std::size_t kLongBits = 4096;
-
-// An mpz that frees itself.
-struct Integer {
-  mpz_t z;
-  Integer() { mpz_init(z); }
-  Integer(const Integer& other) : Integer() { *this = other; }
-  Integer& operator=(const Integer& other) {
-    mpz_set(z, other.z);
-    return *this;
-  }
-  ~Integer() { mpz_clear(z); }
-};
+constexpr long kLongBits = 4096;
 
 // top * 2^exponent / bottom. Doubles, their sums and products have no bottom and are never divided
 // out; where there is one it need not be in lowest terms.
 struct Value {
-  Integer top, bottom;  // bottom > 0, or 0 in place of 1
+  mpz_class top, bottom;  // bottom > 0, or 0 in place of 1
   long exponent = 0;
 
-  bool is_zero() const { return mpz_sgn(top.z) == 0; }
-  bool has_bottom() const { return mpz_sgn(bottom.z) != 0; }
+  bool is_zero() const { return sgn(top) == 0; }
+  bool has_bottom() const { return sgn(bottom) != 0; }
 };
 
 Value& value(std::byte* storage) { return *std::launder(reinterpret_cast<Value*>(storage)); }
@@ -46,131 +36,122 @@ const Value& value(const std::byte* storage) {
   return *std::launder(reinterpret_cast<const Value*>(storage));
 }
 
-void shift_left(mpz_t z, long bits) { mpz_mul_2exp(z, z, static_cast<mp_bitcnt_t>(bits)); }
-// floor(z / 2^bits)
-void shift_right(mpz_t z, long bits) { mpz_fdiv_q_2exp(z, z, static_cast<mp_bitcnt_t>(bits)); }
+// Bits to shift by: none where there are less.
+mp_bitcnt_t at_least_0(long bits) { return static_cast<mp_bitcnt_t>(std::max(0L, bits)); }
 
-void multiply_bottom(Value& a, const mpz_t factor) {
+long length(const mpz_class& z) { return static_cast<long>(mpz_sizeinbase(z.get_mpz_t(), 2)); }
+// Factors of two. Needs z != 0.
+mp_bitcnt_t twos_of(const mpz_class& z) { return mpz_scan1(z.get_mpz_t(), 0); }
+
+void multiply_bottom(Value& a, const mpz_class& factor) {
   if (a.has_bottom())
-    mpz_mul(a.bottom.z, a.bottom.z, factor);
+    a.bottom *= factor;
   else
-    mpz_set(a.bottom.z, factor);
+    a.bottom = factor;
 }
 
 // Makes the top and the bottom coprime.
 void reduce(Value& a) {
   if (!a.has_bottom()) return;
-  Integer common;
-  mpz_gcd(common.z, a.top.z, a.bottom.z);
-  mpz_divexact(a.top.z, a.top.z, common.z);
-  mpz_divexact(a.bottom.z, a.bottom.z, common.z);
+  const mpz_class common = gcd(a.top, a.bottom);
+  for (mpz_class* part : {&a.top, &a.bottom})
+    mpz_divexact(part->get_mpz_t(), part->get_mpz_t(), common.get_mpz_t());
 }
 // The same, and both odd.
 void shorten(Value& a) {
   reduce(a);
   if (a.is_zero()) return;
-  const auto twos = static_cast<long>(mpz_scan1(a.top.z, 0));
-  shift_right(a.top.z, twos);
-  a.exponent += twos;
+  const mp_bitcnt_t twos = twos_of(a.top);
+  a.top >>= twos;
+  a.exponent += static_cast<long>(twos);
 }
 void shorten_if_long(Value& a) {
-  if (mpz_sizeinbase(a.top.z, 2) + mpz_sizeinbase(a.bottom.z, 2) > kLongBits) shorten(a);
-}
-
-// top * 2^left over the bottom of a sum or difference, in `out`.
-void scale_top(const Value& q, const mpz_t factor, long left, mpz_t out) {
-  mpz_srcptr top = q.top.z;
-  if (mpz_sgn(factor) != 0) {
-    mpz_mul(out, top, factor);
-    top = out;
-  }
-  mpz_mul_2exp(out, top, static_cast<mp_bitcnt_t>(left));
+  if (length(a.top) + length(a.bottom) > kLongBits) shorten(a);
 }
 
 // sum = a + sign * b; `sum` is neither of them.
 void add(const Value& a, const Value& b, int sign, Value& sum) {
   if (a.is_zero() || b.is_zero()) {
     sum = a.is_zero() ? b : a;
-    if (a.is_zero() && sign < 0) mpz_neg(sum.top.z, sum.top.z);
+    if (a.is_zero() && sign < 0) sum.top = -sum.top;
     return;
   }
   sum.exponent = std::min(a.exponent, b.exponent);
   const auto combine = sign < 0 ? mpz_sub : mpz_add;
-  const bool one_bottom = mpz_cmp(a.bottom.z, b.bottom.z) == 0;
+  const bool one_bottom = a.bottom == b.bottom;
   if (one_bottom && a.exponent == b.exponent) {
-    combine(sum.top.z, a.top.z, b.top.z);
+    combine(sum.top.get_mpz_t(), a.top.get_mpz_t(), b.top.get_mpz_t());
   } else {
-    const Value none;
-    Integer other;
-    scale_top(a, one_bottom ? none.bottom.z : b.bottom.z, a.exponent - sum.exponent, sum.top.z);
-    scale_top(b, one_bottom ? none.bottom.z : a.bottom.z, b.exponent - sum.exponent, other.z);
-    combine(sum.top.z, sum.top.z, other.z);
+    const auto scaled = [&](const Value& part, const Value& other, mpz_class& top) {
+      const mp_bitcnt_t left = at_least_0(part.exponent - sum.exponent);
+      if (one_bottom || !other.has_bottom())
+        top = part.top << left;
+      else
+        top = (part.top * other.bottom) << left;
+    };
+    mpz_class other;
+    scaled(a, b, sum.top);
+    scaled(b, a, other);
+    combine(sum.top.get_mpz_t(), sum.top.get_mpz_t(), other.get_mpz_t());
   }
-  mpz_set(sum.bottom.z, a.bottom.z);
-  if (!one_bottom && b.has_bottom()) multiply_bottom(sum, b.bottom.z);
+  sum.bottom = a.bottom;
+  if (!one_bottom && b.has_bottom()) multiply_bottom(sum, b.bottom);
   shorten_if_long(sum);
 }
 
 // product = a * b; `product` is neither of them.
 void multiply(const Value& a, const Value& b, Value& product) {
-  mpz_mul(product.top.z, a.top.z, b.top.z);
+  product.top = a.top * b.top;
   product.exponent = a.exponent + b.exponent;
-  if (!a.has_bottom() || !b.has_bottom())
-    mpz_set(product.bottom.z, a.has_bottom() ? a.bottom.z : b.bottom.z);
-  else
-    mpz_mul(product.bottom.z, a.bottom.z, b.bottom.z);
+  product.bottom = a.bottom;
+  if (b.has_bottom()) multiply_bottom(product, b.bottom);
   shorten_if_long(product);
 }
 
 void divide(Value& a, const Value& b) {
-  Integer divisor = b.top;
-  const int sign = mpz_sgn(divisor.z);
-  const auto twos = static_cast<long>(mpz_scan1(divisor.z, 0));
-  shift_right(divisor.z, twos);
-  mpz_abs(divisor.z, divisor.z);
-  const long exponent = b.exponent + twos;
-  if (b.has_bottom()) mpz_mul(a.top.z, a.top.z, b.bottom.z);
-  if (mpz_cmp_ui(divisor.z, 1) != 0) multiply_bottom(a, divisor.z);
+  const int sign = sgn(b.top);
+  const mp_bitcnt_t twos = twos_of(b.top);
+  const mpz_class divisor = abs(b.top) >> twos;
+  const long exponent = b.exponent + static_cast<long>(twos);
+  if (b.has_bottom()) a.top *= b.bottom;
+  if (divisor != 1) multiply_bottom(a, divisor);
   a.exponent -= exponent;
-  if (sign < 0) mpz_neg(a.top.z, a.top.z);
+  if (sign < 0) a.top = -a.top;
   shorten_if_long(a);
 }
 
 // floor(log2 |q|) or one less. Needs q != 0.
 long log2_estimate(const Value& q) {
-  return static_cast<long>(mpz_sizeinbase(q.top.z, 2)) + q.exponent - 1 -
-         (q.has_bottom() ? static_cast<long>(mpz_sizeinbase(q.bottom.z, 2)) : 1);
+  return length(q.top) + q.exponent - 1 - (q.has_bottom() ? length(q.bottom) : 1);
 }
 
 std::strong_ordering compare(const Value& a, const Value& b) {
-  const int sign = mpz_sgn(a.top.z);
-  if (sign != mpz_sgn(b.top.z)) return sign <=> mpz_sgn(b.top.z);
+  const int sign = sgn(a.top);
+  if (sign != sgn(b.top)) return sign <=> sgn(b.top);
   if (sign == 0) return std::strong_ordering::equal;
   const long size_a = log2_estimate(a), size_b = log2_estimate(b);
   if (std::labs(size_a - size_b) > 1) return size_a < size_b ? 0 <=> sign : sign <=> 0;
-  Integer left = a.top, right = b.top;
-  if (b.has_bottom()) mpz_mul(left.z, left.z, b.bottom.z);
-  if (a.has_bottom()) mpz_mul(right.z, right.z, a.bottom.z);
-  shift_left(left.z, std::max(0L, a.exponent - b.exponent));
-  shift_left(right.z, std::max(0L, b.exponent - a.exponent));
-  return mpz_cmp(left.z, right.z) <=> 0;
+  mpz_class left = a.top, right = b.top;
+  if (b.has_bottom()) left *= b.bottom;
+  if (a.has_bottom()) right *= a.bottom;
+  left <<= at_least_0(a.exponent - b.exponent);
+  right <<= at_least_0(b.exponent - a.exponent);
+  return cmp(left, right) <=> 0;
 }
 
 // floor(q * 2^shift) into `out`; returns whether that was exact.
-bool scaled_floor(const Value& q, long shift, mpz_t out) {
+bool scaled_floor(const Value& q, long shift, mpz_class& out) {
   shift += q.exponent;
-  Integer top = q.top;
-  if (shift >= 0) shift_left(top.z, shift);
+  const mpz_class top = q.top << at_least_0(shift);
+  const mp_bitcnt_t down = at_least_0(-shift);
   if (!q.has_bottom()) {
-    const bool exact = shift >= 0 || mpz_divisible_2exp_p(top.z, static_cast<mp_bitcnt_t>(-shift));
-    if (shift < 0) shift_right(top.z, -shift);
-    mpz_swap(out, top.z);
-    return exact;
+    out = top >> down;
+    return mpz_divisible_2exp_p(top.get_mpz_t(), down) != 0;
   }
-  Integer bottom = q.bottom, rest;
-  if (shift < 0) shift_left(bottom.z, -shift);
-  mpz_fdiv_qr(out, rest.z, top.z, bottom.z);
-  return mpz_sgn(rest.z) == 0;
+  const mpz_class bottom = q.bottom << down;
+  mpz_class rest;
+  mpz_fdiv_qr(out.get_mpz_t(), rest.get_mpz_t(), top.get_mpz_t(), bottom.get_mpz_t());
+  return sgn(rest) == 0;
 }
 
 // Nearest double to q > 0, halves to even.
@@ -179,20 +160,16 @@ double nearest_positive(const Value& q) {
   if (top > kTopExponent) return std::numeric_limits<double>::infinity();
   // One bit beyond the last of the result, taken as the half; what is below it is the sticky bit.
   const long last = std::max(top - kMantissaBits, kLowestExponent - 1);
-  Integer digits;
-  const bool exact = scaled_floor(q, -(last - 2), digits.z);  // two more bits than the half
-  if (!exact) mpz_setbit(digits.z, 0);
+  mpz_class digits;
+  const bool exact = scaled_floor(q, -(last - 2), digits);  // two more bits than the half
+  if (!exact) mpz_setbit(digits.get_mpz_t(), 0);
   // `digits` has weight 2^(last-2). Round to the weight of the result's last bit.
-  const long bits = static_cast<long>(mpz_sizeinbase(digits.z, 2));
-  const long drop = std::max(bits - kMantissaBits, kLowestExponent - (last - 2));
-  Integer kept, half, rest;
-  const auto cut = static_cast<mp_bitcnt_t>(drop);
-  mpz_fdiv_q_2exp(kept.z, digits.z, cut);
-  mpz_fdiv_r_2exp(rest.z, digits.z, cut);
-  mpz_setbit(half.z, cut - 1);
-  const int compared = mpz_cmp(rest.z, half.z);
-  if (compared > 0 || (compared == 0 && mpz_odd_p(kept.z))) mpz_add_ui(kept.z, kept.z, 1);
-  return std::ldexp(mpz_get_d(kept.z), static_cast<int>(last - 2 + drop));
+  const long drop = std::max(length(digits) - kMantissaBits, kLowestExponent - (last - 2));
+  const mp_bitcnt_t half = at_least_0(drop - 1);
+  mpz_class kept = digits >> at_least_0(drop);
+  const bool beyond_half = twos_of(digits) < half || mpz_odd_p(kept.get_mpz_t()) != 0;
+  if (mpz_tstbit(digits.get_mpz_t(), half) != 0 && beyond_half) ++kept;
+  return std::ldexp(kept.get_d(), static_cast<int>(last - 2 + drop));
 }
 
 // The double nearest to p + s sqrt(q), given one of its neighbours.
@@ -233,20 +210,19 @@ Rational::Rational(double finite) {
   const auto digits =
       static_cast<std::int64_t>(std::ldexp(std::frexp(finite, &exponent), kMantissaBits));
   const int twos = std::countr_zero(static_cast<std::uint64_t>(digits));
-  mpz_set_si(made.top.z, digits >> twos);
+  made.top = digits >> twos;
   made.exponent = exponent - kMantissaBits + twos;
 }
 Rational::Rational(const Rational& other) { new (storage_) Value(value(other.storage_)); }
-Rational::Rational(Rational&& other) noexcept : Rational() { *this = std::move(other); }
+Rational::Rational(Rational&& other) noexcept {
+  new (storage_) Value(std::move(value(other.storage_)));
+}
 Rational& Rational::operator=(const Rational& other) {
   value(storage_) = value(other.storage_);
   return *this;
 }
 Rational& Rational::operator=(Rational&& other) noexcept {
-  Value &a = value(storage_), &b = value(other.storage_);
-  mpz_swap(a.top.z, b.top.z);
-  mpz_swap(a.bottom.z, b.bottom.z);
-  std::swap(a.exponent, b.exponent);
+  value(storage_) = std::move(value(other.storage_));
   return *this;
 }
 Rational::~Rational() { value(storage_).~Value(); }
@@ -272,12 +248,12 @@ Rational& Rational::operator/=(const Rational& b) {
 }
 Rational Rational::operator-() const {
   Rational opposite = *this;
-  Integer& top = value(opposite.storage_).top;
-  mpz_neg(top.z, top.z);
+  mpz_class& top = value(opposite.storage_).top;
+  top = -top;
   return opposite;
 }
 
-Sign Rational::sign() const { return static_cast<Sign>(mpz_sgn(value(storage_).top.z)); }
+Sign Rational::sign() const { return static_cast<Sign>(sgn(value(storage_).top)); }
 
 std::strong_ordering Rational::operator<=>(const Rational& b) const {
   return compare(value(storage_), value(b.storage_));
@@ -293,33 +269,22 @@ double Rational::nearest() const {
 
 Rational Rational::floor() const {
   Rational whole;
-  scaled_floor(value(storage_), 0, value(whole.storage_).top.z);
+  scaled_floor(value(storage_), 0, value(whole.storage_).top);
   return whole;
 }
 
 std::size_t Rational::bits() const {
-  Rational copied = *this;
-  Value& q = value(copied.storage_);
+  Value q = value(storage_);
   shorten(q);
-  return std::max(mpz_sizeinbase(q.top.z, 2), mpz_sizeinbase(q.bottom.z, 2));
+  return static_cast<std::size_t>(std::max(length(q.top), length(q.bottom)));
 }
 
 std::string Rational::text() const {
-  Rational copied = *this;
-  Value& q = value(copied.storage_);
-  Integer bottom;
-  mpz_set_ui(bottom.z, 1);
-  shift_left(bottom.z, std::max(0L, -q.exponent));
-  shift_left(q.top.z, std::max(0L, q.exponent));
-  multiply_bottom(q, bottom.z);
+  Value q = value(storage_);
+  multiply_bottom(q, mpz_class(1) << at_least_0(-q.exponent));
+  q.top <<= at_least_0(q.exponent);
   reduce(q);
-  std::string digits(mpz_sizeinbase(q.top.z, 10) + mpz_sizeinbase(q.bottom.z, 10) + 3, '\0');
-  mpz_get_str(digits.data(), 10, q.top.z);
-  digits.resize(digits.find('\0'));
-  if (mpz_cmp_ui(q.bottom.z, 1) == 0) return digits;
-  std::string below(mpz_sizeinbase(q.bottom.z, 10) + 2, '\0');
-  mpz_get_str(below.data(), 10, q.bottom.z);
-  return digits + "/" + below.c_str();
+  return q.bottom == 1 ? q.top.get_str() : q.top.get_str() + "/" + q.bottom.get_str();
 }
 
 Sign Rational::root_sign(const Rational& p, int s, const Rational& q) {
@@ -347,11 +312,13 @@ std::optional<Rational> Rational::exact_root(const Rational& q) {
   Value& shortest = value(root.storage_);
   shorten(shortest);  // the bottom is always odd
   if (shortest.is_zero()) return Rational(0);
-  const bool square = shortest.exponent % 2 == 0 && mpz_perfect_square_p(shortest.top.z) != 0 &&
-                      mpz_perfect_square_p(shortest.bottom.z) != 0;
-  if (!square) return std::nullopt;
-  mpz_sqrt(shortest.top.z, shortest.top.z);
-  mpz_sqrt(shortest.bottom.z, shortest.bottom.z);
+  const auto is_square = [](const mpz_class& z) {
+    return mpz_perfect_square_p(z.get_mpz_t()) != 0;
+  };
+  if (shortest.exponent % 2 != 0 || !is_square(shortest.top) || !is_square(shortest.bottom))
+    return std::nullopt;
+  shortest.top = sqrt(shortest.top);
+  shortest.bottom = sqrt(shortest.bottom);
   shortest.exponent /= 2;
   return root;
 }
@@ -363,8 +330,8 @@ double Rational::root_sum(const Rational& p, int s, const Rational& q) {
   const long k = 96 - log2_estimate(value(q.storage_)) / 2;
   Rational r;
   Value& root = value(r.storage_);
-  scaled_floor(value(q.storage_), 2 * k, root.top.z);
-  mpz_sqrt(root.top.z, root.top.z);
+  scaled_floor(value(q.storage_), 2 * k, root.top);
+  root.top = sqrt(root.top);
   root.exponent = -k;
   if (s < 0) r = -r;
   // Where p and the root differ in sign they may cancel: p + r = (p^2 - q) / (p - r).
