@@ -92,19 +92,25 @@ auto coordinates_of(const Make& number, const Bezier& curve, int axis) {
   return bernstein_of(number, curve, [&](const Vec2& p) { return number(p[axis]); });
 }
 
-/// The value at s, by the algorithm of de Casteljau; written out, as loops take twice the time.
-template <class Number>
-Number bernstein_value(const Bernstein<Number>& c, const Number& s) {
+/// The value at s, by the algorithm of de Casteljau; up to degree 3 written out, as loops take twice the time.
+template <class Number, std::size_t kMost>
+Number bernstein_value(const SmallVector<Number, kMost>& c, const Number& s) {
   const auto mix = [&](const Number& a, const Number& b) -> Number { return a + s * (b - a); };
   if (c.size() == 1) return c[0];
   if (c.size() == 2) return mix(c[0], c[1]);
+  if constexpr (kMost > 4)
+    if (c.size() > 4) {
+      SmallVector<Number, kMost> mixed;
+      for (std::size_t k = 0; k + 1 < c.size(); ++k) mixed.push_back(mix(c[k], c[k + 1]));
+      return bernstein_value(mixed, s);
+    }
   const Number bc = mix(c[1], c[2]), abc = mix(mix(c[0], c[1]), bc);
   return c.size() == 3 ? abc : mix(abc, mix(bc, mix(c[2], c[3])));
 }
 /// The same polynomial over [0, 1/2] and over [1/2, 1].
-template <class Number>
-std::array<Bernstein<Number>, 2> halves(Bernstein<Number> c, const Number& half) {
-  std::array<Bernstein<Number>, 2> parts;
+template <class Number, std::size_t kMost>
+std::array<SmallVector<Number, kMost>, 2> halves(SmallVector<Number, kMost> c, const Number& half) {
+  std::array<SmallVector<Number, kMost>, 2> parts;
   for (; !c.empty(); c.pop_back()) {
     parts[0].push_back(c.front());
     parts[1].push_back(c.back());

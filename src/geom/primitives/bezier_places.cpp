@@ -8,48 +8,29 @@
 namespace flatray {
 namespace {
 
-// A polynomial of degree up to 5 in doubles by its Bernstein coefficients.
-struct Plain {
-  std::array<double, 6> c{};
-  std::size_t degree;
+// A polynomial of degree up to 5 by its Bernstein coefficients.
+using Plain = SmallVector<double, 6>;
 
-  double at(double s) const {
-    std::array<double, 6> v = c;
-    for (std::size_t n = degree; n > 0; --n)
-      for (std::size_t k = 0; k < n; ++k) v[k] += s * (v[k + 1] - v[k]);
-    return v[0];
-  }
-  int sign_changes() const {
-    int changes = 0;
-    for (std::size_t k = 0; k < degree; ++k) changes += (c[k] < 0) != (c[k + 1] < 0) ? 1 : 0;
-    return changes;
-  }
-  std::array<Plain, 2> halves() const {
-    std::array<Plain, 2> parts{*this, *this};
-    std::array<double, 6>& v = parts[1].c;
-    for (std::size_t n = degree; n > 0; --n) {
-      parts[0].c[degree - n] = v[0];
-      for (std::size_t k = 0; k < n; ++k) v[k] = 0.5 * v[k] + 0.5 * v[k + 1];
-    }
-    parts[0].c[degree] = v[0];
-    return parts;
-  }
-};
+int sign_changes(const Plain& c) {
+  int changes = 0;
+  for (std::size_t k = 0; k + 1 < c.size(); ++k) changes += (c[k] < 0) != (c[k + 1] < 0) ? 1 : 0;
+  return changes;
+}
 
 // Calls use(s) for each s at which it changes its sign between `low` and `high`, and where it may be
 // twice 0, about.
 template <class Use>
 void visit_roots(const Plain& p, double low, double high, const Use& use) {
-  const int changes = p.sign_changes();
+  const int changes = sign_changes(p);
   if (changes == 0) return;
   if (changes > 1 && high - low > 0x1p-53) {
-    const auto parts = p.halves();
+    const auto parts = halves(p, 0.5);
     const double middle = 0.5 * (low + high);
     visit_roots(parts[0], low, middle, use);
     visit_roots(parts[1], middle, high, use);
     return;
   }
-  use(low + (high - low) * sign_change([&](double s) { return p.at(s); }, 0, 1));
+  use(low + (high - low) * sign_change([&](double s) { return bernstein_value(p, s); }, 0, 1));
 }
 
 }  // namespace
@@ -111,10 +92,11 @@ double parameter_near(const Bezier& curve, const Vec2& point) {
   const auto from = bernstein_of(kPlain, seen, [](const Vec2& p) { return p; });
   const auto legs = legs_of(seen);
   const std::size_t n = from.size() - 1, m = legs.size() - 1;
-  Plain upright{{}, n + m};
+  Plain upright;
+  for (std::size_t i = 0; i <= n + m; ++i) upright.push_back(0);
   for (std::size_t i = 0; i <= n; ++i)
     for (std::size_t k = 0; k <= m; ++k)
-      upright.c[i + k] +=
+      upright[i + k] +=
           kChoices[n][i] * kChoices[m][k] / kChoices[n + m][i + k] * from[i].dot(legs[k]);
   double best = 0, least = kInfinity;
   const auto look = [&](double s) {
@@ -133,8 +115,8 @@ Segment stretch_of(const Bezier& curve) {
   const Vec2 extent = box.high - box.low;
   const int axis = extent.x() < extent.y() ? 1 : 0;
   const auto legs = legs_of(curve);
-  Plain rate{{}, legs.size() - 1};
-  for (std::size_t k = 0; k < legs.size(); ++k) rate.c[k] = legs[k][axis];
+  Plain rate;
+  for (const Vec2& leg : legs) rate.push_back(leg[axis]);
   Segment stretch{curve.start(), curve.start()};
   const auto look = [&](const Vec2& point) {
     if (point[axis] < stretch.a[axis]) stretch.a = point;
