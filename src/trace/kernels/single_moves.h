@@ -58,7 +58,7 @@ struct Ranks {
 constexpr Ranks kRanks;
 inline Float spread(unsigned chosen, const float* from, Float others) {
   const auto* ranks = reinterpret_cast<const __m128i*>(kRanks.of[chosen]);
-  const Int rank = _mm256_cvtepu8_epi32(_mm_loadl_epi64(ranks));
+  const __m256i rank = _mm256_cvtepu8_epi32(_mm_loadl_epi64(ranks));
   return choose(lanes_of(chosen), _mm256_permutevar8x32_ps(load(from), rank), others);
 }
 #else
