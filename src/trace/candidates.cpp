@@ -16,20 +16,22 @@ bool Candidates::is_known(std::uint32_t surface) const {
                      [&](const Candidate& other) { return other.surface == surface; });
 }
 
-void Candidates::take(const Candidate& candidate, double high) {
-  open_.push_back(candidate);
-  if (!candidate.sure || !(high < high_)) return;
-  high_ = high;
-  std::erase_if(open_, [&](const Candidate& other) { return other.low > high_; });
+bool Candidates::is_out(const FilteredHit& hit) const {
+  return hit.verdict == FilteredHit::Verdict::missed || hit.low > high_;
+}
+
+void Candidates::take(std::uint32_t surface, const FilteredHit& hit) {
+  open_.push_back({surface, hit});
+  if (hit.verdict != FilteredHit::Verdict::sure || !(hit.high < high_)) return;
+  high_ = hit.high;
+  std::erase_if(open_, [&](const Candidate& other) { return other.hit.low > high_; });
 }
 
 void Candidates::offer_segment(std::uint32_t slot) {
   ++tested_;
   const FilteredHit hit = filter_(walls_.segments[slot]);
-  if (hit.verdict == FilteredHit::Verdict::missed || hit.low > high_) return;
   const std::uint32_t surface = walls_.segment_numbers[slot];
-  if (is_known(surface)) return;
-  take({surface, hit.low, hit.verdict == FilteredHit::Verdict::sure, Root::none}, hit.high);
+  if (!is_out(hit) && !is_known(surface)) take(surface, hit);
 }
 
 void Candidates::offer_curve(std::uint32_t surface) {
@@ -38,20 +40,17 @@ void Candidates::offer_curve(std::uint32_t surface) {
   const Root left = surface == departed_.surface ? departed_.root : Root::none;
   const FilteredHit hit =
       walls_.visit(surface, [&](const auto& wall) { return filter_curve(ray_, wall, left); });
-  if (hit.verdict == FilteredHit::Verdict::missed || hit.low > high_) return;
-  take({surface, hit.low, hit.verdict == FilteredHit::Verdict::sure, hit.root}, hit.high);
+  if (!is_out(hit)) take(surface, hit);
 }
 
 NearestHit Candidates::first(bool tangents) {
   if (open_.empty()) return {};
-  std::sort(open_.begin(), open_.end(),
-            [](const Candidate& a, const Candidate& b) { return a.surface < b.surface; });
-  open_.erase(
-      std::unique(open_.begin(), open_.end(),
-                  [](const Candidate& a, const Candidate& b) { return a.surface == b.surface; }),
-      open_.end());
-  if (const Candidate& only = open_.front(); open_.size() == 1 && only.sure)
-    return crossing_hit(walls_, ray_, only.surface, only.root);
+  std::ranges::sort(open_, {}, &Candidate::surface);
+  const auto again = std::ranges::unique(open_, {}, &Candidate::surface);
+  open_.erase(again.begin(), again.end());
+  if (const auto& [surface, hit] = open_.front();
+      open_.size() == 1 && hit.verdict == FilteredHit::Verdict::sure)
+    return crossing_hit(walls_, ray_, surface, hit.root);
   ExactNearest search(walls_, ray_, departed_, tangents);
   for (const Candidate& candidate : open_) search.offer(candidate.surface);
   return search.hit();

@@ -32,12 +32,11 @@ class Candidates {
  private:
   struct Candidate {
     std::uint32_t surface;
-    double low;  // t is not surely less
-    bool sure;   // surely met
-    Root root;   // then, of a curve
+    FilteredHit hit;
   };
   bool is_known(std::uint32_t surface) const;
-  void take(const Candidate& candidate, double high);
+  bool is_out(const FilteredHit& hit) const;
+  void take(std::uint32_t surface, const FilteredHit& hit);
 
   const Surfaces& walls_;
   const Ray& ray_;

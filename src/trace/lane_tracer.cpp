@@ -86,12 +86,16 @@ class LaneTracer : public Accelerator {
   }
   NearestHit nearest_of_one(const Ray& ray, const DepartedSurface& departed,
                             bool tangents) const override {
-    if (!walls_.curve_numbers.empty() || !cells_)
-      return nearest_with_curves(ray, departed, tangents);
-    const lanes::SingleHit found = segment_of_one(ray, walls_.segment_slot(departed.surface));
-    if (is_open(found)) return search_.nearest(ray, departed, tangents);
-    if (found.found < 0) return {};
-    return {found.slot, HitClass::touch, Root::none, false, found.t};  // all walls are segments
+    if (!has_lanes()) return search_.nearest(ray, departed, tangents);
+    NearestHit hit;
+    if (cells_) {
+      const lanes::SingleHit found = segment_of_one(ray, walls_.segment_slot(departed.surface));
+      if (found.found == lanes::kDoubt || std::isnan(found.t))
+        return search_.nearest(ray, departed, tangents);
+      if (found.found >= 0)
+        hit = {walls_.segment_numbers[found.slot], HitClass::touch, Root::none, false, found.t};
+    }
+    return curve_cells_ ? nearest_beside(hit, ray, departed, tangents) : hit;
   }
   std::vector<NearestHit> all_of_one(const Ray& ray, const DepartedSurface& departed,
                                      bool tangents) const override {
@@ -119,19 +123,9 @@ class LaneTracer : public Accelerator {
     return kernels_.single_ray(view_, ray.origin.x(), ray.origin.y(), ray.direction.x(),
                                ray.direction.y(), left);
   }
-  static bool is_open(const lanes::SingleHit& found) {
-    return found.found == lanes::kDoubt || std::isnan(found.t);
-  }
-  NearestHit nearest_with_curves(const Ray& ray, const DepartedSurface& departed,
-                                 bool tangents) const {
-    if (!has_lanes()) return search_.nearest(ray, departed, tangents);
-    NearestHit hit;
-    if (cells_) {
-      const lanes::SingleHit found = segment_of_one(ray, walls_.segment_slot(departed.surface));
-      if (is_open(found)) return search_.nearest(ray, departed, tangents);
-      if (found.found >= 0)
-        hit = {walls_.segment_numbers[found.slot], HitClass::touch, Root::none, false, found.t};
-    }
+  // Given the first of the segments, if any.
+  NearestHit nearest_beside(const NearestHit& hit, const Ray& ray, const DepartedSurface& departed,
+                            bool tangents) const {
     if (!curve_cells_->is_for_lanes()) return search_.nearest_beside(hit, ray, departed, tangents);
     const lanes::SingleHit found = kernels_.single_curve(
         curve_view_, ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(),
