@@ -75,11 +75,6 @@ Sign ExactHit::turn(const Vec2& p, const Vec2& a, const Vec2& b) const {
                      determinant(kRational, a, b, Vec2(0, 0), ray_.direction)});
 }
 
-Sign ExactHit::ahead(const Vec2& p, const Vec2& a, const Vec2& b) const {
-  const Vec2 quarter_a(-a.y(), a.x()), quarter_b(-b.y(), b.x());
-  return -turn(p, quarter_a, quarter_b);  // (b - a)' x w = -(b - a) . w
-}
-
 Sign ExactHit::side_of(const Arc& wall) const {
   const Ellipse& curve = wall.curve;
   const auto to_centre = pair_of(kBounded, curve_.centre) - pair_of(kBounded, curve.centre);
@@ -118,19 +113,6 @@ PlaceOn ExactHit::place_on(const Bezier& wall) const {
   return PlaceOn::outside;
 }
 
-PlaceOn ExactHit::place_on(const Segment& segment) const {
-  if (side_of(segment) != Sign::zero) return PlaceOn::outside;
-  const Sign past_a = ahead(segment.a, segment.a, segment.b);
-  const Sign past_b = ahead(segment.b, segment.b, segment.a);
-  if (past_a == Sign::negative || past_b == Sign::negative) return PlaceOn::outside;
-  return past_a == Sign::zero || past_b == Sign::zero ? PlaceOn::at_end : PlaceOn::inner;
-}
-
-PlaceOn ExactHit::place_in(const Arc& arc) const {
-  return place_in_cone(arc,
-                       [&](const Vec2& p, const Vec2& a, const Vec2& b) { return turn(p, a, b); });
-}
-
 std::optional<Sign> ExactHit::touched_side(const Arc& arc) const {
   const Sign chord =
       decide([&](const auto& number) { return curve_time(number, ray_, arc.curve).q; });
@@ -145,18 +127,6 @@ std::optional<Sign> ExactHit::touched_side(const Bezier& wall) const {
       met, [&](const WallMeeting& one) { return compare(one.time, time_) == 0; });
   if (here == met.end() || here->root != Root::both || here->at_end) return std::nullopt;
   return bend_at(wall, parameter_near(wall, nearest())) > 0 ? Sign::negative : Sign::positive;
-}
-
-PlaceOn ExactHit::place_on(const Arc& arc) const {
-  const Vec2& centre = arc.curve.centre;
-  const Sign side = side_of(arc);
-  if (side == Sign::zero) return place_in(arc);
-  if (arc.extent != Arc::Extent::between) return PlaceOn::outside;
-  for (const Vec2& end : {arc.from, arc.to})
-    if (turn(centre, centre, end) == Sign::zero && curve_side(end, arc.curve) == side &&
-        ahead(centre, centre, end) == Sign::positive && ahead(end, centre, end) != side)
-      return PlaceOn::at_end;
-  return PlaceOn::outside;
 }
 
 }  // namespace flatray

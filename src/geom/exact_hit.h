@@ -1,4 +1,5 @@
 #pragma once
+#include "geom/exact_point.h"
 #include "geom/hit_time.h"
 
 namespace flatray {
@@ -20,7 +21,7 @@ auto line_point(const Make& number, const Ray& ray, const Segment& wall) {
 ///
 /// Cost    bounded double-doubles, well under 1 us; the rationals, some 20 us, where those leave a
 ///         doubt.
-class ExactHit {
+class ExactHit : public ExactPoint<ExactHit> {
  public:
   /// Needs   a ray that crosses the wall: not along a segment, nor tangent to a curve.
   ExactHit(const Ray& ray, const Segment& wall, Root = Root::none);
@@ -36,28 +37,19 @@ class ExactHit {
 
   /// Sign of (b - a) x (point - p). Exact.
   Sign turn(const Vec2& p, const Vec2& a, const Vec2& b) const;
-  /// Sign of (b - a) . (point - p). Exact.
-  Sign ahead(const Vec2& p, const Vec2& a, const Vec2& b) const;
-  /// Side of the line through a segment, positive to the left of a -> b. Exact.
-  Sign side_of(const Segment& segment) const { return turn(segment.a, segment.a, segment.b); }
+  using ExactPoint::side_of;
   /// Positive outside the curve, zero on it. Exact.
   Sign side_of(const Arc& wall) const;
   /// Positive to the left of the curve, which must be near. Exact, unless the ray is about tangent to the
   /// curve within some 1e-30 of it; 0 where nothing tells.
   Sign side_of(const Bezier& wall) const;
-  /// Whether it lies on the wall, and where. Exact.
-  PlaceOn place_on(const Segment& segment) const;
-  PlaceOn place_on(const Arc& arc) const;
+  using ExactPoint::place_on;
   PlaceOn place_on(const Bezier& wall) const;
   /// The side on which the ray passes by a wall that it only touches, of an arc by its curve; none where it
   /// crosses it. Exact.
   std::optional<Sign> touched_side(const Arc& arc) const;
   std::optional<Sign> touched_side(const Segment&) const { return std::nullopt; }
   std::optional<Sign> touched_side(const Bezier& wall) const;
-  /// Its place in the cone of an arc: on the arc itself, if that is of the curve it hits. Exact.
-  PlaceOn place_in(const Arc& arc) const;
-  PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }
-  PlaceOn place_in(const Bezier&) const { return PlaceOn::at_end; }
 
  private:
   // Of a polynomial of t.

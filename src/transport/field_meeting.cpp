@@ -159,48 +159,8 @@ Sign FieldMeeting::turn(const Vec2& p, const Vec2& a, const Vec2& b) const {
   });
 }
 
-Sign FieldMeeting::ahead(const Vec2& p, const Vec2& a, const Vec2& b) const {
-  return sign_at([&](const auto& number) {
-    const auto e = pair_of(number, b) - pair_of(number, a);
-    return line_form(number, flight_, p, Pair<decltype(number(0.0))>{e.y, -e.x});
-  });
-}
-
 Sign FieldMeeting::side_of(const Arc& wall) const {
   return sign_at([&](const auto& number) { return circle_form(number, flight_, wall.curve); });
-}
-
-PlaceOn FieldMeeting::between_ends(const Segment& wall) const {
-  const Sign from = ahead(wall.a, wall.a, wall.b), to = ahead(wall.b, wall.b, wall.a);
-  if (from == Sign::negative || to == Sign::negative) return PlaceOn::outside;
-  return from == Sign::zero || to == Sign::zero ? PlaceOn::at_end : PlaceOn::inner;
-}
-
-PlaceOn FieldMeeting::place_on(const Segment& wall) const {
-  return side_of(wall) == Sign::zero ? between_ends(wall) : PlaceOn::outside;
-}
-
-PlaceOn FieldMeeting::place_in(const Arc& wall) const {
-  return place_in_cone(wall,
-                       [&](const Vec2& p, const Vec2& a, const Vec2& b) { return turn(p, a, b); });
-}
-
-PlaceOn FieldMeeting::place_on(const Arc& wall) const {
-  const Sign side = side_of(wall);
-  if (side == Sign::zero) return place_in(wall);
-  if (wall.extent != Arc::Extent::between) return PlaceOn::outside;
-  const Vec2& centre = wall.curve.centre;
-  const auto joins = [&](const Vec2& end) {
-    return turn(centre, centre, end) == Sign::zero && is_on_joint(wall, side, end);
-  };
-  return joins(wall.from) || joins(wall.to) ? PlaceOn::at_end : PlaceOn::outside;
-}
-
-// Of a point on the line through an end and the centre, on that side of the curve.
-bool FieldMeeting::is_on_joint(const Arc& wall, Sign side, const Vec2& end) const {
-  const Vec2& centre = wall.curve.centre;
-  return curve_side(end, wall.curve) == side && ahead(centre, centre, end) == Sign::positive &&
-         ahead(end, centre, end) != side;
 }
 
 // It stays on the side that it starts on.

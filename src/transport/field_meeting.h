@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "geom/exact_point.h"
 #include "geom/primitives/wall.h"
 #include "trace/surfaces.h"
 
@@ -37,7 +38,7 @@ struct CrossedWall {
 ///
 /// Cost    plain doubles with bounds decide, some 0.1 us a question; where they cannot, double-doubles, then
 ///         rationals, 20 us.
-class FieldMeeting {
+class FieldMeeting : public ExactPoint<FieldMeeting> {
  public:
   /// Needs   a flight that crosses `crossed`, which outlives it, from that side.
   FieldMeeting(const FieldFlight& flight, const CrossedWall& crossed, Sign from);
@@ -58,23 +59,14 @@ class FieldMeeting {
   Vec2 normal(const Arc& wall) const;
   Vec2 normal(const Bezier&) const { return {0, 0}; }
   Sign turn(const Vec2& p, const Vec2& a, const Vec2& b) const;
-  Sign ahead(const Vec2& p, const Vec2& a, const Vec2& b) const;
-  Sign side_of(const Segment& wall) const { return turn(wall.a, wall.a, wall.b); }
+  using ExactPoint::side_of;
   Sign side_of(const Arc& wall) const;
   Sign side_of(const Bezier&) const { return Sign::zero; }
-  PlaceOn place_on(const Segment& wall) const;
-  PlaceOn place_on(const Arc& wall) const;
+  using ExactPoint::place_on;
   PlaceOn place_on(const Bezier&) const { return PlaceOn::outside; }
   std::optional<Sign> touched_side(const Segment& wall) const;
   std::optional<Sign> touched_side(const Arc& wall) const;
   std::optional<Sign> touched_side(const Bezier&) const { return std::nullopt; }
-  PlaceOn place_in(const Arc& wall) const;
-  PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }
-  PlaceOn place_in(const Bezier&) const { return PlaceOn::at_end; }
-  /// Whether it lies on what joins an end of an arc to its curve, on whose line and side it does. Exact.
-  bool is_on_joint(const Arc& wall, Sign side, const Vec2& end) const;
-  /// Where between the ends of a segment it lies, on whose line it does. Exact.
-  PlaceOn between_ends(const Segment& wall) const;
 
  private:
   template <class Make>
