@@ -1,4 +1,6 @@
-#include "base/shared_library.h"
+#include <memory>
+#include <stdexcept>
+
 #include "render/gl/module/maker.h"
 
 #ifdef FLATRAY_HAVE_EGL
@@ -12,33 +14,21 @@ namespace flatray::gl {
 namespace {
 
 struct Functions {
-  decltype(&eglGetProcAddress) function;
-  decltype(&eglInitialize) initialise;
-  decltype(&eglBindAPI) bind_api;
-  decltype(&eglChooseConfig) choose_config;
-  decltype(&eglCreateContext) create;
-  decltype(&eglDestroyContext) destroy;
-  decltype(&eglMakeCurrent) make_current;
-  decltype(&eglReleaseThread) release_thread;
-  PFNEGLGETPLATFORMDISPLAYEXTPROC platform_display = nullptr;
-
-  explicit Functions(const SharedLibrary& library)
-      : function(library.find<decltype(eglGetProcAddress)>("eglGetProcAddress")),
-        initialise(library.find<decltype(eglInitialize)>("eglInitialize")),
-        bind_api(library.find<decltype(eglBindAPI)>("eglBindAPI")),
-        choose_config(library.find<decltype(eglChooseConfig)>("eglChooseConfig")),
-        create(library.find<decltype(eglCreateContext)>("eglCreateContext")),
-        destroy(library.find<decltype(eglDestroyContext)>("eglDestroyContext")),
-        make_current(library.find<decltype(eglMakeCurrent)>("eglMakeCurrent")),
-        release_thread(library.find<decltype(eglReleaseThread)>("eglReleaseThread")) {
-    if (function != nullptr)
-      platform_display =
-          reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(function("eglGetPlatformDisplayEXT"));
-  }
-  bool complete() const {
-    return function && initialise && bind_api && choose_config && create && destroy &&
-           make_current && release_thread && platform_display;
-  }
+  const InstalledLibrary library{"libEGL.so.1", "libegl1 and libegl-mesa0"};
+  decltype(&eglGetProcAddress) function =
+      library.find<decltype(eglGetProcAddress)>("eglGetProcAddress");
+  decltype(&eglInitialize) initialise = library.find<decltype(eglInitialize)>("eglInitialize");
+  decltype(&eglBindAPI) bind_api = library.find<decltype(eglBindAPI)>("eglBindAPI");
+  decltype(&eglChooseConfig) choose_config =
+      library.find<decltype(eglChooseConfig)>("eglChooseConfig");
+  decltype(&eglCreateContext) create = library.find<decltype(eglCreateContext)>("eglCreateContext");
+  decltype(&eglDestroyContext) destroy =
+      library.find<decltype(eglDestroyContext)>("eglDestroyContext");
+  decltype(&eglMakeCurrent) make_current = library.find<decltype(eglMakeCurrent)>("eglMakeCurrent");
+  decltype(&eglReleaseThread) release_thread =
+      library.find<decltype(eglReleaseThread)>("eglReleaseThread");
+  PFNEGLGETPLATFORMDISPLAYEXTPROC platform_display = library.needed(
+      reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(function("eglGetPlatformDisplayEXT")));
 };
 
 class EglContext final : public Maker::Context {
@@ -66,11 +56,15 @@ class EglContext final : public Maker::Context {
 // terminated.
 class EglMaker final : public Maker {
  public:
-  EglMaker(const Functions& functions, EGLDisplay display)
-      : functions_(functions), display_(display) {}
+  EglMaker()
+      : display_(functions_.platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY,
+                                             nullptr)) {
+    if (display_ == EGL_NO_DISPLAY || functions_.initialise(display_, nullptr, nullptr) != EGL_TRUE)
+      throw std::runtime_error("EGL opens no surfaceless display: install libegl-mesa0");
+  }
 
   const char* name() const override { return "EGL"; }
-  std::unique_ptr<Context> create(std::string& error) override {
+  std::unique_ptr<Context> create() override {
     constexpr EGLint kConfig[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                   EGL_NONE};
     constexpr EGLint kContext[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -86,38 +80,24 @@ class EglMaker final : public Maker {
         functions_.choose_config(display_, kConfig, &config, 1, &count) == EGL_TRUE && count == 1)
       if (EGLContext context = functions_.create(display_, config, EGL_NO_CONTEXT, kContext))
         return std::make_unique<EglContext>(functions_, display_, context);
-    error = "EGL makes no context of OpenGL 3.3";
-    return nullptr;
+    throw std::runtime_error("EGL makes no context of OpenGL 3.3");
   }
   void* function(const char* name) const override {
     return reinterpret_cast<void*>(functions_.function(name));
   }
 
  private:
-  const Functions functions_;
-  EGLDisplay display_;
+  const Functions functions_{};
+  const EGLDisplay display_;
 };
 
 }  // namespace
 
-std::unique_ptr<Maker> open_egl(std::string& error) {
-  const SharedLibrary library("libEGL.so.1");
-  error = library.problem() + ": install libegl1 and libegl-mesa0";
-  if (!library) return nullptr;
-  error = "libEGL.so.1 lacks what flatray calls: install libegl1 and libegl-mesa0";
-  const Functions functions(library);
-  if (!functions.complete()) return nullptr;
-  error = "EGL opens no surfaceless display: install libegl-mesa0";
-  EGLDisplay display =
-      functions.platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (display == EGL_NO_DISPLAY || functions.initialise(display, nullptr, nullptr) != EGL_TRUE)
-    return nullptr;
-  return std::make_unique<EglMaker>(functions, display);
-}
+std::unique_ptr<Maker> open_egl() { return std::make_unique<EglMaker>(); }
 #else
-std::unique_ptr<Maker> open_egl(std::string& error) {
-  error = "EGL is not in this build: install libegl-dev and libegl-mesa0 and build again";
-  return nullptr;
+std::unique_ptr<Maker> open_egl() {
+  throw std::runtime_error(
+      "EGL is not in this build: install libegl-dev and libegl-mesa0 and build again");
 }
 #endif
 

@@ -2,6 +2,9 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <stdexcept>
+#include <string>
+
 #include "render/gl/module/maker.h"
 
 namespace flatray::gl {
@@ -72,14 +75,12 @@ struct Functions {
   FLATRAY_GL_FUNCTIONS(FLATRAY_GL_MEMBER)
 #undef FLATRAY_GL_MEMBER
 
-  /// Name of one that is not there, or null.
-  const char* load(const Maker& maker) {
+  void load(const Maker& maker) {
 #define FLATRAY_GL_LOAD(member, type, name)              \
   member = reinterpret_cast<type>(maker.function(name)); \
-  if (member == nullptr) return name;
+  if (member == nullptr) throw std::runtime_error(std::string("this GL has no ") + name);
     FLATRAY_GL_FUNCTIONS(FLATRAY_GL_LOAD)
 #undef FLATRAY_GL_LOAD
-    return nullptr;
   }
 #undef FLATRAY_GL_FUNCTIONS
 };

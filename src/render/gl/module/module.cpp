@@ -5,7 +5,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
+#include <string>
+#include <utility>
 
 #include "render/gl/module/maker.h"
 #include "render/gl/module/painter.h"
@@ -16,7 +19,7 @@ using flatray::gl::Painter;
 
 struct FlatrayGlDevice {
   std::unique_ptr<Maker> maker;
-  Functions functions;
+  Functions functions{};
   bool functions_loaded = false;
 };
 
@@ -27,10 +30,6 @@ struct FlatrayGlContext {
 
 namespace {
 
-void say(FlatrayGlError* error, const std::string& text) {
-  std::snprintf(error->text, sizeof error->text, "%s", text.c_str());
-}
-
 // What `task` gives, or {} where it throws.
 template <class Task>
 auto guarded(FlatrayGlError* error, const Task& task) -> decltype(task()) {
@@ -40,7 +39,7 @@ auto guarded(FlatrayGlError* error, const Task& task) -> decltype(task()) {
     error->out_of_memory = 1;
     return {};
   } catch (const std::exception& problem) {
-    say(error, problem.what());
+    std::snprintf(error->text, sizeof error->text, "%s", problem.what());
     return {};
   }
 }
@@ -52,41 +51,41 @@ void choose_software(unsigned threads) {
 }
 
 FlatrayGlDevice* open_device(const char* name, unsigned threads, FlatrayGlError* error) {
-  return guarded(error, [&]() -> FlatrayGlDevice* {
+  return guarded(error, [&] {
     choose_software(threads);
-    std::string problem;
-    std::unique_ptr<Maker> maker = std::strcmp(name, "egl") == 0
-                                       ? flatray::gl::open_egl(problem)
-                                       : flatray::gl::open_osmesa(problem);
-    if (maker) return new FlatrayGlDevice{std::move(maker), {}, false};
-    say(error, problem);
-    return nullptr;
+    return new FlatrayGlDevice{std::strcmp(name, "egl") == 0 ? flatray::gl::open_egl()
+                                                             : flatray::gl::open_osmesa()};
   });
 }
 
 void close_device(FlatrayGlDevice* device) { delete device; }
 
-// Destroys what a context holds, with the context current; leaves none current.
-struct Leave {
-  Maker::Context& context;
-  ~Leave() { context.leave(); }
+// Makes a context current, as long as this lives.
+class Current {
+ public:
+  explicit Current(Maker::Context& context) : context_(context) {
+    if (!context.enter()) throw std::runtime_error("the context cannot be used");
+  }
+  ~Current() { context_.leave(); }
+
+ private:
+  Maker::Context& context_;
 };
 
 FlatrayGlContext* create_context(FlatrayGlDevice* device, FlatrayGlInfo* info,
                                  FlatrayGlError* error) {
-  return guarded(error, [&]() -> FlatrayGlContext* {
-    std::string problem;
-    std::unique_ptr<Maker::Context> context = device->maker->create(problem);
-    if (context && !context->enter()) problem = "the context cannot be used", context.reset();
-    if (!context) return say(error, problem), nullptr;
-    const Leave leave{*context};
-    if (!device->functions_loaded)
-      if (const char* lacking = device->functions.load(*device->maker))
-        return say(error, std::string("this GL has no ") + lacking), nullptr;
+  return guarded(error, [&] {
+    std::unique_ptr<Maker::Context> context = device->maker->create();
+    const Current current(*context);
+    if (!device->functions_loaded) device->functions.load(*device->maker);
     device->functions_loaded = true;
     Painter painter(device->functions);
-    if (!painter.start(*info, device->maker->name(), problem))
-      return painter.stop(), say(error, problem), nullptr;
+    try {
+      painter.start(*info, device->maker->name());
+    } catch (...) {
+      painter.stop();
+      throw;
+    }
     return new FlatrayGlContext{std::move(context), std::move(painter)};
   });
 }
@@ -98,13 +97,10 @@ void destroy_context(FlatrayGlContext* context) {
 }
 
 int draw_tile(FlatrayGlContext* context, const FlatrayGlTile* tile, FlatrayGlError* error) {
-  return guarded(error, [&]() -> int {
-    if (!context->context->enter()) return say(error, "the context cannot be used"), 0;
-    const Leave leave{*context->context};
-    std::string problem;
-    if (context->painter.draw(*tile, problem)) return 1;
-    say(error, problem);
-    return 0;
+  return guarded(error, [&] {
+    const Current current(*context->context);
+    context->painter.draw(*tile);
+    return 1;
   });
 }
 

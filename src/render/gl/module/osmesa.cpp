@@ -1,4 +1,6 @@
-#include "base/shared_library.h"
+#include <memory>
+#include <stdexcept>
+
 #include "render/gl/module/maker.h"
 
 #ifdef FLATRAY_HAVE_OSMESA
@@ -11,17 +13,15 @@ namespace flatray::gl {
 namespace {
 
 struct Functions {
-  decltype(&OSMesaCreateContextAttribs) create;
-  decltype(&OSMesaDestroyContext) destroy;
-  decltype(&OSMesaMakeCurrent) make_current;
-  decltype(&OSMesaGetProcAddress) function;
-
-  explicit Functions(const SharedLibrary& library)
-      : create(library.find<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")),
-        destroy(library.find<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext")),
-        make_current(library.find<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent")),
-        function(library.find<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress")) {}
-  bool complete() const { return create && destroy && make_current && function; }
+  const InstalledLibrary library{"libOSMesa.so.8", "libosmesa6"};
+  decltype(&OSMesaCreateContextAttribs) create =
+      library.find<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
+  decltype(&OSMesaDestroyContext) destroy =
+      library.find<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext");
+  decltype(&OSMesaMakeCurrent) make_current =
+      library.find<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
+  decltype(&OSMesaGetProcAddress) function =
+      library.find<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress");
 };
 
 class OsmesaContext final : public Maker::Context {
@@ -43,10 +43,8 @@ class OsmesaContext final : public Maker::Context {
 
 class OsmesaMaker final : public Maker {
  public:
-  explicit OsmesaMaker(const Functions& functions) : functions_(functions) {}
-
   const char* name() const override { return "OSMesa"; }
-  std::unique_ptr<Context> create(std::string& error) override {
+  std::unique_ptr<Context> create() override {
     constexpr int kWanted[] = {OSMESA_FORMAT,
                                OSMESA_RGBA,
                                OSMESA_PROFILE,
@@ -58,32 +56,22 @@ class OsmesaMaker final : public Maker {
                                0};
     if (OSMesaContext context = functions_.create(kWanted, nullptr))
       return std::make_unique<OsmesaContext>(functions_, context);
-    error = "OSMesa makes no context of OpenGL 3.3";
-    return nullptr;
+    throw std::runtime_error("OSMesa makes no context of OpenGL 3.3");
   }
   void* function(const char* name) const override {
     return reinterpret_cast<void*>(functions_.function(name));
   }
 
  private:
-  const Functions functions_;
+  const Functions functions_{};
 };
 
 }  // namespace
 
-std::unique_ptr<Maker> open_osmesa(std::string& error) {
-  const SharedLibrary library("libOSMesa.so.8");
-  error = library.problem() + ": install libosmesa6";
-  if (!library) return nullptr;
-  error = "libOSMesa.so.8 lacks what flatray calls: install libosmesa6";
-  const Functions functions(library);
-  if (!functions.complete()) return nullptr;
-  return std::make_unique<OsmesaMaker>(functions);
-}
+std::unique_ptr<Maker> open_osmesa() { return std::make_unique<OsmesaMaker>(); }
 #else
-std::unique_ptr<Maker> open_osmesa(std::string& error) {
-  error = "OSMesa is not in this build: install libosmesa6-dev and build again";
-  return nullptr;
+std::unique_ptr<Maker> open_osmesa() {
+  throw std::runtime_error("OSMesa is not in this build: install libosmesa6-dev and build again");
 }
 #endif
 

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 
 namespace flatray::gl {
 namespace {
@@ -59,7 +61,7 @@ std::string mesa_of(const char* version) {
 
 }  // namespace
 
-bool Painter::start(FlatrayGlInfo& info, const char* maker, std::string& error) {
+void Painter::start(FlatrayGlInfo& info, const char* maker) {
   const auto text = [&](GLenum what) {
     const GLubyte* found = gl_.get_string(what);
     return found == nullptr ? "" : reinterpret_cast<const char*>(found);
@@ -79,18 +81,16 @@ bool Painter::start(FlatrayGlInfo& info, const char* maker, std::string& error) 
   gl_.enable_attribute(0);
   gl_.enable_attribute(1);
   gl_.clamp_colour(GL_CLAMP_READ_COLOR, GL_FALSE);
-  return sheets_.resize({1, 1, info.most_samples}, error);
+  sheets_.resize({1, 1, info.most_samples});
 }
 
 // What a shader reads by number.
-bool Painter::fill_table(Unit unit, const void* data, std::size_t bytes, std::string& error) {
-  if (bytes == 0) return true;
+void Painter::fill_table(Unit unit, const void* data, std::size_t bytes) {
+  if (bytes == 0) return;
   GLint most = 0;
   gl_.get_integers(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (bytes / kTexel > static_cast<std::size_t>(most)) {
-    error = "this GL has no room for so many gradients";
-    return false;
-  }
+  if (bytes / kTexel > static_cast<std::size_t>(most))
+    throw std::runtime_error("this GL has no room for so many gradients");
   Table& table = tables_[static_cast<std::size_t>(unit)];
   if (table.buffer == 0) {
     gl_.gen_buffers(1, &table.buffer);
@@ -101,15 +101,12 @@ bool Painter::fill_table(Unit unit, const void* data, std::size_t bytes, std::st
   gl_.active_texture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   gl_.bind_texture(GL_TEXTURE_BUFFER, table.texture);
   gl_.texture_buffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, table.buffer);
-  return true;
 }
 
-bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
-  if (!sheets_.resize({tile.width, tile.height, tile.samples}, error) ||
-      !fill_table(Unit::gradients, tile.gradients, tile.gradient_count * sizeof *tile.gradients,
-                  error) ||
-      !fill_table(Unit::stops, tile.stops, tile.stop_count * sizeof *tile.stops, error))
-    return false;
+void Painter::draw(const FlatrayGlTile& tile) {
+  sheets_.resize({tile.width, tile.height, tile.samples});
+  fill_table(Unit::gradients, tile.gradients, tile.gradient_count * sizeof *tile.gradients);
+  fill_table(Unit::stops, tile.stops, tile.stop_count * sizeof *tile.stops);
   gl_.buffer_data(GL_ARRAY_BUFFER,
                   static_cast<GLsizeiptr>(tile.vertex_count * sizeof(FlatrayGlVertex)),
                   tile.vertices, GL_STREAM_DRAW);
@@ -119,7 +116,7 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
   if (tile.shift_count > 1) again_.resize(floats);
   for (std::size_t i = 0; i < tile.shift_count; ++i) {
     programs_.set({{tile.shifts[i][0], tile.shifts[i][1]}, {tile.x, tile.y}});
-    if (!draw_batches(tile, error)) return false;
+    draw_batches(tile);
     sheets_.read(i == 0 ? tile.rgba : again_.data());
     if (i > 0) std::transform(again_.begin(), again_.end(), tile.rgba, tile.rgba, std::plus<>());
   }
@@ -127,51 +124,43 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
     const auto count = static_cast<float>(tile.shift_count);
     std::for_each(tile.rgba, tile.rgba + floats, [count](float& value) { value /= count; });
   }
-  if (const GLenum code = gl_.get_error(); code != GL_NO_ERROR) {
-    error = code == GL_OUT_OF_MEMORY ? "GL has no memory left"
-                                     : "GL reports error " + std::to_string(code);
-    return false;
-  }
-  return true;
+  if (const GLenum code = gl_.get_error(); code != GL_NO_ERROR)
+    throw std::runtime_error(code == GL_OUT_OF_MEMORY ? "GL has no memory left"
+                                                      : "GL reports error " + std::to_string(code));
 }
 
-bool Painter::draw_batches(const FlatrayGlTile& tile, std::string& error) {
+void Painter::draw_batches(const FlatrayGlTile& tile) {
   target_ = Sheets::picture;
-  if (!sheets_.draw_on(target_, error)) return false;
+  sheets_.draw_on(target_);
   set_ink(gl_, Ink::over);
   gl_.clear_colour(tile.background[0], tile.background[1], tile.background[2], tile.background[3]);
   gl_.clear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  for (std::size_t i = 0; i < tile.batch_count; ++i)
-    if (!draw_batch(tile.batches[i], error)) return false;
-  return true;
+  for (std::size_t i = 0; i < tile.batch_count; ++i) draw_batch(tile.batches[i]);
 }
 
-bool Painter::draw_batch(const FlatrayGlBatch& batch, std::string& error) {
+void Painter::draw_batch(const FlatrayGlBatch& batch) {
   const Manner& manner = kManners[batch.kind];
-  if (!choose_sheet(batch.kind, error)) return false;
+  choose_sheet(batch.kind);
   const bool gradients =
       batch.gradients != 0 && manner.task == Task::paint && manner.ink == Ink::over;
-  if (!programs_.use(gradients ? Task::gradient : manner.task, sheets_.multisampled(), error))
-    return false;
+  programs_.use(gradients ? Task::gradient : manner.task, sheets_.multisampled());
   set_ink(gl_, manner.ink);
   set_marks(gl_, manner);
-  if (manner.task != Task::find && manner.task != Task::lay) return draw_triangles(batch), true;
+  if (manner.task != Task::find && manner.task != Task::lay) return draw_triangles(batch);
   sheets_.show(manner.task == Task::find ? Sheets::sums : Sheets::layer);
   draw_samples(batch);
-  return true;
 }
 
-bool Painter::choose_sheet(int32_t kind, std::string& error) {
+void Painter::choose_sheet(int32_t kind) {
   if (kind == FLATRAY_GL_LAYER) target_ = Sheets::layer;
   if (kind == FLATRAY_GL_LAY) target_ = Sheets::picture;
   if (kind == FLATRAY_GL_LAYER || kind == FLATRAY_GL_LAY || kind == FLATRAY_GL_FIND)
-    return sheets_.draw_on(target_, error);
-  if (kind != FLATRAY_GL_SUM) return true;
-  if (!sheets_.draw_on(Sheets::sums, error)) return false;
+    return sheets_.draw_on(target_);
+  if (kind != FLATRAY_GL_SUM) return;
+  sheets_.draw_on(Sheets::sums);
   set_ink(gl_, Ink::add);
   gl_.clear_colour(0, 0, 0, 0);
   gl_.clear(GL_COLOR_BUFFER_BIT);
-  return true;
 }
 
 void Painter::draw_triangles(const FlatrayGlBatch& batch) {

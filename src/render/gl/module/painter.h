@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "render/gl/module.h"
@@ -15,9 +14,9 @@ class Painter {
  public:
   explicit Painter(const Functions& gl) : gl_(gl), programs_(gl), sheets_(gl) {}
 
-  /// False where this GL cannot do what is needed; `error` says what.
-  bool start(FlatrayGlInfo& info, const char* maker, std::string& error);
-  bool draw(const FlatrayGlTile& tile, std::string& error);
+  /// Fails where this GL cannot do what is needed.
+  void start(FlatrayGlInfo& info, const char* maker);
+  void draw(const FlatrayGlTile& tile);
   void stop();
 
  private:
@@ -25,12 +24,12 @@ class Painter {
     GLuint buffer = 0, texture = 0;
   };
 
-  bool fill_table(Unit unit, const void* data, std::size_t bytes, std::string& error);
-  bool draw_batches(const FlatrayGlTile& tile, std::string& error);
-  bool draw_batch(const FlatrayGlBatch& batch, std::string& error);
+  void fill_table(Unit unit, const void* data, std::size_t bytes);
+  void draw_batches(const FlatrayGlTile& tile);
+  void draw_batch(const FlatrayGlBatch& batch);
   void draw_triangles(const FlatrayGlBatch& batch);
   void draw_samples(const FlatrayGlBatch& batch);
-  bool choose_sheet(int32_t kind, std::string& error);
+  void choose_sheet(int32_t kind);
 
   const Functions& gl_;
   Programs programs_;

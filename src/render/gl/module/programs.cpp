@@ -1,5 +1,6 @@
 #include "render/gl/module/programs.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "render/gl/module.h"
@@ -92,19 +93,17 @@ constexpr std::array<const char*, 5> kFragments = {kPaint, kGradient, kSum, kFin
 
 }  // namespace
 
-bool Programs::use(Task task, bool multisampled, std::string& error) {
+void Programs::use(Task task, bool multisampled) {
   multisampled = multisampled && (task == Task::find || task == Task::lay);
   Program& program = programs_[2 * static_cast<std::size_t>(task) + (multisampled ? 1 : 0)];
-  if (program.name == 0 && !make(task, multisampled, program)) {
-    error = task == Task::gradient ? "this GL has no doubles in its shaders, which gradients need"
-                                   : "the shaders do not compile";
-    return false;
-  }
+  if (program.name == 0 && !make(task, multisampled, program))
+    throw std::runtime_error(task == Task::gradient
+                                 ? "this GL has no doubles in its shaders, which gradients need"
+                                 : "the shaders do not compile");
   sample_ = program.sample;
   gl_.use_program(program.name);
   gl_.set_floats(program.shift, place_.shift[0], place_.shift[1]);
   gl_.set_integers(program.corner, place_.corner[0], place_.corner[1]);
-  return true;
 }
 
 bool Programs::make(Task task, bool multisampled, Program& program) {

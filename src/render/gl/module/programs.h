@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <string>
 
 #include "render/gl/module/functions.h"
 
@@ -29,8 +28,8 @@ class Programs {
   };
   void set(const TilePosition& place) { place_ = place; }
 
-  /// False where this GL does not compile it. `multisampled`: the sheets are.
-  bool use(Task task, bool multisampled, std::string& error);
+  /// Fails where this GL does not compile it. `multisampled`: the sheets are.
+  void use(Task task, bool multisampled);
   /// Which sample of the sheet the task in use shows.
   void read_sample(int sample) { gl_.set_integer(sample_, sample); }
   void stop();

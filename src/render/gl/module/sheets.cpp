@@ -1,23 +1,26 @@
 #include "render/gl/module/sheets.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace flatray::gl {
 
-bool Sheets::resize(const Size& size, std::string& error) {
-  if (size == size_) return true;
+void Sheets::resize(const Size& size) {
+  if (size == size_) return;
   stop();
   size_ = size;
   gl_.gen_renderbuffers(1, &marks_);
   gl_.bind_renderbuffer(GL_RENDERBUFFER, marks_);
   gl_.storage(GL_RENDERBUFFER, multisampled() ? size.samples : 0, GL_DEPTH24_STENCIL8, size.width,
               size.height);
-  return (!multisampled() || make(resolved, 1, error)) && draw_on(picture, error);
+  if (multisampled()) make(resolved, 1);
+  draw_on(picture);
 }
 
-bool Sheets::draw_on(Name name, std::string& error) {
+void Sheets::draw_on(Name name) {
   const Sheet& sheet = sheets_[name];
-  if (sheet.framebuffer == 0) return make(name, size_.samples, error);
+  if (sheet.framebuffer == 0) return make(name, size_.samples);
   gl_.bind_framebuffer(GL_FRAMEBUFFER, sheet.framebuffer);
-  return true;
 }
 
 void Sheets::make_texture(GLint format, int32_t samples) {
@@ -31,7 +34,7 @@ void Sheets::make_texture(GLint format, int32_t samples) {
   gl_.parameter(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);  // one level is all there is
 }
 
-bool Sheets::make(Name name, int32_t samples, std::string& error) {
+void Sheets::make(Name name, int32_t samples) {
   const GLenum target = samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
   Sheet& sheet = sheets_[name];
   gl_.gen_textures(1, &sheet.texture);
@@ -44,11 +47,10 @@ bool Sheets::make(Name name, int32_t samples, std::string& error) {
     gl_.attach(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, marks_);
   if (gl_.framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE &&
       gl_.get_error() == GL_NO_ERROR)
-    return true;
-  error = "this GL has no framebuffer of floats with " + std::to_string(samples) +
-          " samples and a stencil, or no memory left";
+    return;
   stop();
-  return false;
+  throw std::runtime_error("this GL has no framebuffer of floats with " + std::to_string(samples) +
+                           " samples and a stencil, or no memory left");
 }
 
 void Sheets::show(Name name) {

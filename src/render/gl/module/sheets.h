@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <string>
 
 #include "render/gl/module/functions.h"
 #include "render/gl/module/programs.h"
@@ -19,9 +18,9 @@ class Sheets {
 
   explicit Sheets(const Functions& gl) : gl_(gl) {}
 
-  /// False where this GL has no such sheets, or no memory.
-  bool resize(const Size& size, std::string& error);
-  bool draw_on(Name name, std::string& error);
+  /// Fails where this GL has no such sheets, or no memory.
+  void resize(const Size& size);
+  void draw_on(Name name);
   /// Shaders read it at Unit::sheet.
   void show(Name name);
   /// The picture, the mean of its samples. Leaves another sheet to draw on.
@@ -34,7 +33,7 @@ class Sheets {
   struct Sheet {
     GLuint framebuffer = 0, texture = 0;
   };
-  bool make(Name name, int32_t samples, std::string& error);
+  void make(Name name, int32_t samples);
   void make_texture(GLint format, int32_t samples);
 
   const Functions& gl_;
