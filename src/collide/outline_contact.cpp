@@ -106,15 +106,11 @@ bool has_area(const ShapePart& part) {
   return part.curve || part.radius > 0 || ring_orientation(part.ring) != Sign::zero;
 }
 
-std::vector<Vec2> ring_of(const Bounds& box) {
-  return {box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}};
-}
-
 std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place, Outline outline) {
   std::vector<ShapePart> all;
   if (outline == Outline::box) {
     const Bounds box = shape_bounds(shape, place);
-    if (!box.empty()) all.push_back({ring_of(box)});
+    if (!box.empty()) all.push_back({box.corners()});
     return all;
   }
   for (std::size_t i = 0; i < shape.piece_count(); ++i) {

@@ -31,7 +31,6 @@ bool has_area(const ShapePart& part);
 /// Of the upright box around a shape one part, none of an empty one.
 std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place,
                                 Outline outline = Outline::own);
-std::vector<Vec2> ring_of(const Bounds& box);
 
 /// A time in which two shapes have a point in common.
 struct MeetingPart {

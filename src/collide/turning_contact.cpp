@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "collide/outline_contact.h"
 #include "collide/turning_pair.h"
 
 namespace flatray {
@@ -44,7 +43,7 @@ class BoxPair {
   ContactPlace touching_place() const {
     Bounds a, b;
     for (const TurningPair& pair : pairs_) a.add(pair.box_a()), b.add(pair.box_b());
-    return resting_place({ring_of(a), {0, 0}}, {ring_of(b), {0, 0}}, 0);
+    return resting_place({a.corners(), {0, 0}}, {b.corners(), {0, 0}}, 0);
   }
   double scale() const { return 1; }
 

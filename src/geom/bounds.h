@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <vector>
 
 #include "geom/ray.h"
 
@@ -29,6 +30,10 @@ struct Bounds {
   }
   Vec2 size() const { return high - low; }
   Vec2 centre() const { return 0.5 * low + 0.5 * high; }
+  /// From the lowest on, counter-clockwise.
+  std::vector<Vec2> corners() const {
+    return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  }
 };
 
 /// The least box that holds all points.

@@ -6,12 +6,20 @@
 
 #include "geom/hit_interval.h"
 #include "geom/predicates.h"
+#include "geom/ray.h"
 
 namespace flatray {
 
 /// Where edge i of a ring ends: at vertex i + 1, the last at vertex 0.
 inline const Vec2& edge_end(std::span<const Vec2> ring, std::size_t i) {
   return ring[i + 1 == ring.size() ? 0 : i + 1];
+}
+
+/// All edges of a ring, in order.
+inline std::vector<Segment> ring_edges(std::span<const Vec2> ring) {
+  std::vector<Segment> edges;
+  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], edge_end(ring, i)});
+  return edges;
 }
 
 /// The edges of positive length, in order: each ends where the next begins.

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "base/portable_math.h"
+#include "geom/polygon.h"
 #include "oracle/catalogue.h"
 
 namespace flatray::oracle {
@@ -23,8 +24,7 @@ inline Ring regular(int sides) {
 }
 
 inline void add_ring(Surfaces& walls, const Ring& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    walls.add(Segment{ring[i], ring[(i + 1) % ring.size()]});
+  for (const Segment& wall : ring_edges(ring)) walls.add(wall);
 }
 inline Surfaces ring_of(const Ring& vertices) {
   Surfaces walls;

@@ -1,7 +1,6 @@
 #include "oracle/exact_coverage.h"
 
 #include <algorithm>
-#include <array>
 
 #include "geom/bounds.h"
 #include "oracle/point.h"
@@ -76,8 +75,7 @@ Rational area_of(std::span<const std::vector<Vec2>> pieces, int x, int y, const 
   for (const std::vector<Vec2>& piece : pieces)
     if (box_about(piece).meets(pixel)) rings.push_back(oracle::exact_ring(piece));
   std::vector<Ring> all = rings;
-  all.push_back(oracle::exact_ring(std::array{pixel.low, Vec2(pixel.high.x(), pixel.low.y()),
-                                              pixel.high, Vec2(pixel.low.x(), pixel.high.y())}));
+  all.push_back(oracle::exact_ring(pixel.corners()));
   const std::vector<Rational> borders = slab_borders(all, pixel);
   Rational area;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {

@@ -1,3 +1,4 @@
+#include "geom/polygon.h"
 #include "oracle/families.h"
 
 namespace flatray::oracle {
@@ -12,11 +13,8 @@ static_assert(kSide * kSide == kPolygonsAScene);
 template <class Make>
 Scene rings(int count, const Make& make) {
   Scene scene;
-  for (int i = 0; i < count; ++i) {
-    const Ring ring = make(i);
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      scene.walls.push_back({ring[k], ring[(k + 1) % ring.size()]});
-  }
+  for (int i = 0; i < count; ++i)
+    for (const Segment& wall : ring_edges(make(i))) scene.walls.push_back(wall);
   return scene;
 }
 

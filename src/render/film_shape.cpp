@@ -96,8 +96,7 @@ std::vector<Region> fill_regions(const FilmShape& shape) {
     regions.push_back(FillPath{shape.edges, FillRule::nonzero, shape.simple});
   FillPath crossing{{}, FillRule::even_odd, false};
   for (const std::vector<Vec2>& ring : shape.crossing_rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      crossing.edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    for (const Segment& edge : ring_edges(ring)) crossing.edges.push_back(edge);
   if (!crossing.edges.empty()) regions.push_back(std::move(crossing));
   for (const Circle& circle : shape.circles)
     regions.push_back(FillRing{circle.centre, circle.radius});

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/counted.h"
+#include "geom/polygon.h"
 #include "render/gradient.h"
 
 namespace flatray {
@@ -68,15 +69,9 @@ void DrawContext::add(DrawItem&& item) {
 }
 
 void DrawContext::add_light(std::shared_ptr<const LightPicture> picture) {
-  const double width = scene.film.width, height = scene.film.height;
-  const Vec2 corners[] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  const Bounds film{Vec2(0, 0), Vec2(scene.film.width, scene.film.height)};
   DrawItem item;
-  item.region = FillPath{{{corners[0], corners[1]},
-                          {corners[1], corners[2]},
-                          {corners[2], corners[3]},
-                          {corners[3], corners[0]}},
-                         FillRule::nonzero,
-                         true};
+  item.region = FillPath{ring_edges(film.corners()), FillRule::nonzero, true};
   item.colour = {0, 0, 0, 0.5F};  // neither hides what lies below nor is not seen
   item.light = std::move(picture);
   add(std::move(item));

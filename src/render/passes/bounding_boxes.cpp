@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/counted.h"
+#include "geom/polygon.h"
 #include "render/pass.h"
 
 namespace flatray::bounding_boxes_pass {
@@ -20,12 +21,10 @@ void draw(DrawContext& context) {
     const Bounds box = shape_bounds(shape_of(context.scene, context.state.entities[i]),
                                     entity_pose(context.state, i));
     if (box.empty()) continue;
-    const Vec2 a = box.low, b(box.high.x(), box.low.y()), c = box.high,
-               d(box.low.x(), box.high.y());
     context.place(entity.layer, entity.order, entity.where);
     Stroke stroke = *entity.bounding_box;
     stroke.scale = context.state.entities[i].scale;
-    context.add_lines(std::array<Segment, 4>{{{a, b}, {b, c}, {c, d}, {d, a}}}, stroke);
+    context.add_lines(ring_edges(box.corners()), stroke);
   }
 }
 
