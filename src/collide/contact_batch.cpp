@@ -65,14 +65,16 @@ bool make_ready(std::span<const Vec2> ring, const BodySet::Box& box, Ready& read
   return set_lanes(box.centre, ready);
 }
 
-const pairs::Kernels& kernels_of([[maybe_unused]] Isa isa) {
+const pairs::Kernels& kernels_of(Isa isa) {
+  static constexpr const pairs::Kernels* kTiers[] = {
+    &pairs::kPortable,
 #if defined(__x86_64__)
-  constexpr const pairs::Kernels* kTiers[] = {&pairs::kPortable, &pairs::kBaseline, &pairs::kAvx2,
-                                              &pairs::kAvx512};
-  return *kTiers[static_cast<std::size_t>(isa)];
-#else
-  return pairs::kPortable;
+    &pairs::kBaseline,
+    &pairs::kAvx2,
+    &pairs::kAvx512
 #endif
+  };
+  return *of_tier(kTiers, isa);
 }
 
 void fetch(const Ready& shape) {

@@ -93,7 +93,7 @@ int roots_between(const Polynomial& p, const Rational& low, const Rational& high
 }
 
 int roots_in(const Polynomial& p, const Rational& low, const Rational& high) {
-  return roots_between(p, low, high) + (at(p, low) == 0 ? 1 : 0);
+  return p.size() > 1 ? roots_between(p, low, high) + (at(p, low) == 0 ? 1 : 0) : 0;
 }
 
 Polynomial without_double_roots(const Polynomial& p) {
@@ -248,15 +248,12 @@ const Polynomial& Algebraic::polynomial() const {
   return p_;
 }
 
-bool Algebraic::is_root_of(const Polynomial& divisor) const {
-  return divisor.size() > 1 && roots_in(divisor, low_, high_) > 0;
-}
-
 Sign Algebraic::sign_of(const Polynomial& q) const {
   for (int halved = 0;; ++halved, halve()) {
     const Interval range = range_of(q, {low_, high_});
     if (range.low.sign() == range.high.sign()) return range.low.sign();
-    if (halved == kHalved && is_root_of(common_divisor(polynomial(), q))) return Sign::zero;
+    if (halved == kHalved && roots_in(common_divisor(polynomial(), q), low_, high_) > 0)
+      return Sign::zero;
   }
 }
 
@@ -272,8 +269,7 @@ std::strong_ordering Algebraic::operator<=>(const Algebraic& b) const {
     if (halved != kHalved) continue;
     const Polynomial common = common_divisor(polynomial(), b.polynomial());
     const Rational low = std::max(low_, b.low_), high = std::min(high_, b.high_);
-    if (low <= high && common.size() > 1 && roots_in(common, low, high) > 0)
-      return std::strong_ordering::equal;
+    if (low <= high && roots_in(common, low, high) > 0) return std::strong_ordering::equal;
   }
 }
 

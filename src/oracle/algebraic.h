@@ -41,7 +41,6 @@ class Algebraic {
   void take_range() const;
   void settle() const;
   void halve() const;
-  bool is_root_of(const Polynomial& divisor) const;
   const Polynomial& polynomial() const;
 
   mutable Polynomial p_;  // of which it is a simple root; of a value none until one is asked for

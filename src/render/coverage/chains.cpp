@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace flatray {
 namespace {
@@ -193,12 +194,8 @@ std::vector<Chain> chained(std::span<const Segment> lines) {
 
 std::vector<Chain> rings_of(std::span<const Segment> edges) {
   std::vector<Chain> rings;
-  std::vector<bool> taken(edges.size());
-  const auto take = [&](std::size_t i) {
-    const bool is_free = !taken[i];
-    taken[i] = true;
-    return is_free;
-  };
+  std::vector<char> taken(edges.size(), 0);
+  const auto take = [&](std::size_t i) { return std::exchange(taken[i], 1) == 0; };
   std::vector<std::size_t> order;  // by the point they begin at, once one is looked for
   const auto beginning = [&](std::size_t i) -> const Vec2& { return edges[i].a; };
   const auto take_at = [&](const Vec2& point) -> std::optional<std::size_t> {

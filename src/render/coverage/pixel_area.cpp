@@ -157,11 +157,6 @@ void PixelArea::find_strands(std::span<const PieceOf> pieces, double top, double
             [](const Strand& a, const Strand& b) { return a.x < b.x; });
 }
 
-// Moves strands to the left, so that few lights are asked for.
-void PixelArea::gather_strands() {
-  for (Strand& strand : strands_) strand.x = std::floor(strand.x * kPlaces) / kPlaces;
-}
-
 // The strands whose lights are not those of the slab above: most often two changed their places.
 PixelArea::Stretch PixelArea::strands_to_light() const {
   const std::size_t count = strands_.size(), known = lit_.size();
@@ -228,7 +223,9 @@ Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
       afresh = true;
     }
     find_strands(pieces, top, bottom, row);
-    if (crowded_ && strands_.size() * seen.items.size() > kPlaces * kPlaces) gather_strands();
+    // In few places, so that few lights are asked for.
+    if (crowded_ && strands_.size() * seen.items.size() > kPlaces * kPlaces)
+      for (Strand& strand : strands_) strand.x = std::floor(strand.x * kPlaces) / kPlaces;
     if (afresh) {
       left_ = seen.composed(background);
       lit_.clear();

@@ -68,7 +68,6 @@ class PixelArea {
   void find_lefts(std::span<const PieceOf> pieces);
   void find_cuts(std::span<const PieceOf> pieces, int row);
   void find_strands(std::span<const PieceOf> pieces, double top, double bottom, int row);
-  void gather_strands();
   Stretch strands_to_light() const;
   void light_strands(SeenItems& seen, const Stretch& stretch, const Light& background);
   void add_slab(double height);

@@ -199,7 +199,7 @@ class Builder {
     if (one) return paint(rings[0]);
     if (path.rule == FillRule::even_odd) return out_.mark(FLATRAY_GL_FLIP, figures(rings), paint_);
     if (!convex_alike(rings)) return wind(figures(rings), path.simple);
-    if (!opaque_) return wind(convex_figures(rings), false);
+    if (!opaque_) return wind(figures(rings, true), false);
     for (const Ring& ring : rings) paint(ring);
   }
 
@@ -235,15 +235,10 @@ class Builder {
 
   Grid convex(const Ring& ring) const { return hull(on_grid(clipped(ring, guard_))); }
 
-  std::vector<Grid> convex_figures(const std::vector<Ring>& rings) const {
+  std::vector<Grid> figures(const std::vector<Ring>& rings, bool convex_ones = false) const {
     std::vector<Grid> figures;
-    for (const Ring& ring : rings) figures.push_back(convex(ring));
-    return figures;
-  }
-
-  std::vector<Grid> figures(const std::vector<Ring>& rings) const {
-    std::vector<Grid> figures;
-    for (const Ring& ring : rings) figures.push_back(on_grid(clamped(ring, guard_)));
+    for (const Ring& ring : rings)
+      figures.push_back(convex_ones ? convex(ring) : on_grid(clamped(ring, guard_)));
     return figures;
   }
 
