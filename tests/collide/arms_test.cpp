@@ -4,8 +4,8 @@
 #include <complex>
 #include <numbers>
 
+#include "all_meetings.h"
 #include "anim/scenes.h"
-#include "collide/meetings.h"
 #include "full_counts.h"
 #include "oracle/families.h"
 
@@ -145,8 +145,7 @@ TEST(Arms, NoneIsMissedAtAnyFrameRate) {
     const Arms arms = drawn(item);
     const Scene scene = scene_of_arms(arms);
     const Truth truth = truth_of(arms);
-    const std::vector<Meeting> found =
-        find_meetings(Timeline(scene, 0, scene.frames), scene.frames).value();
+    const std::vector<Meeting> found = meetings(scene);
     if (truth.kind == Truth::Kind::unknown) continue;
     const bool meets = truth.kind == Truth::Kind::meets;
     met += meets ? 1 : 0;

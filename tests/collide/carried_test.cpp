@@ -5,20 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "collide/meetings.h"
+#include "all_meetings.h"
 #include "full_counts.h"
 #include "oracle/families.h"
-#include "support/pictures.h"
 
 namespace flatray {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-std::vector<Meeting> meetings(const std::string& text, Outline outline = Outline::own) {
-  const Scene scene = scene_of(text);
-  return find_meetings(Timeline(scene, 0, scene.frames), scene.frames, outline).value();
-}
 
 void expect_first(const std::vector<Meeting>& met, double truth, double slack = 1e-14) {
   ASSERT_FALSE(met.empty());

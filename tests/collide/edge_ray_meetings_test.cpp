@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/pictures.h"
+#include "all_meetings.h"
 
 namespace flatray {
 namespace {
@@ -18,8 +18,9 @@ TEST(EdgeRayMeetings, LoseWhatGoesThroughBetweenTwoFrames) {
   const Scene scene = scene_of(kBullet);
   const Timeline timeline(scene, 0, 4);
   EXPECT_TRUE(find_edge_ray_meetings(timeline, 4).value().empty());
-  ASSERT_EQ(find_meetings(timeline, 4).value().size(), 1U);
-  EXPECT_EQ(find_meetings(timeline, 4).value()[0].part.times.low, 4 / 3e8);
+  const std::vector<Meeting> exact = meetings(scene);
+  ASSERT_EQ(exact.size(), 1U);
+  EXPECT_EQ(exact[0].part.times.low, 4 / 3e8);
 }
 
 // In from t = 1.5 to 6, wholly inside between t = 2 and 5.5, where no side of the ring meets the seed.
@@ -32,7 +33,7 @@ TEST(EdgeRayMeetings, SeeOneInsideTheOtherWhicheverComesFirst) {
   for (const std::string& entities : {ring + seed, seed + ring}) {
     const Scene scene = scene_of("flatray = 1\nfps = 1\nframes = 9\n" + entities);
     const Timeline timeline(scene, 0, 9);
-    const std::vector<Meeting> exact = find_meetings(timeline, 9).value();
+    const std::vector<Meeting> exact = meetings(scene);
     ASSERT_EQ(exact.size(), 1U);
     EXPECT_EQ(exact[0].part.times.low, 1.5);
     EXPECT_EQ(exact[0].part.times.high, 6);
@@ -49,18 +50,16 @@ TEST(Meetings, BoxesMeetWhereTrianglesDoNot) {
       "[[entity]]\nname = \"a\"\nshape = { polygon = { points = [[0, 0], [4, 0], [0, 4]] } }\n"
       "[[entity]]\nname = \"b\"\nshape = { polygon = { points = [[4, 4], [1, 4], [4, 1]] } }\n"
       "velocity = [0.25, 0]\n");
-  const Timeline timeline(scene, 0, 3);
-  EXPECT_TRUE(find_meetings(timeline, 3).value().empty());
-  EXPECT_EQ(find_meetings(timeline, 3, Outline::box).value().size(), 1U);
+  EXPECT_TRUE(meetings(scene).empty());
+  EXPECT_EQ(meetings(scene, Outline::box).size(), 1U);
 }
 
 TEST(Meetings, DiscsMeetToo) {
-  const Scene scene = scene_of(
+  const std::vector<Meeting> met = meetings(
       "flatray = 1\nfps = 1\nframes = 9\n"
       "[[entity]]\nname = \"a\"\nshape = { circle = { radius = 2 } }\nat = [-10, 3]\n"
       "velocity = [2, 0]\n"
       "[[entity]]\nname = \"b\"\nshape = { circle = { radius = 3 } }\n");
-  const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 9), 9).value();
   ASSERT_EQ(met.size(), 1U);
   EXPECT_EQ(met[0].part.times.low, 3);
   EXPECT_EQ(met[0].part.times.high, 7);

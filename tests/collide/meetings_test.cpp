@@ -7,24 +7,24 @@
 #include <cmath>
 #include <numbers>
 
+#include "all_meetings.h"
 #include "collide/broad_phase.h"
 #include "oracle/families.h"
 #include "scene/load.h"
-#include "support/pictures.h"
 
 namespace flatray {
 namespace {
 
 TEST(Meetings, SameWhicheverFrameRate) {
   for (const char* fps : {"1", "7", "1000"}) {
-    const Scene scene = scene_of(std::string("flatray = 1\nfps = ") + fps +
-                                 "\nframes = 4000\n"
-                                 "[[entity]]\nname = \"bullet\"\n"
-                                 "shape = { box = { min = [0, 0], max = [1, 1] } }\n"
-                                 "velocity = [1000, 0]\n"
-                                 "[[entity]]\nname = \"wall\"\n"
-                                 "shape = { box = { min = [1501, -5], max = [1501.5, 5] } }\n");
-    const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 4000), 4000).value();
+    const std::vector<Meeting> met =
+        meetings(std::string("flatray = 1\nfps = ") + fps +
+                 "\nframes = 4000\n"
+                 "[[entity]]\nname = \"bullet\"\n"
+                 "shape = { box = { min = [0, 0], max = [1, 1] } }\n"
+                 "velocity = [1000, 0]\n"
+                 "[[entity]]\nname = \"wall\"\n"
+                 "shape = { box = { min = [1501, -5], max = [1501.5, 5] } }\n");
     ASSERT_EQ(met.size(), 1U) << fps;
     EXPECT_EQ(met[0].part.times.low, 1.5);
     EXPECT_EQ(met[0].part.times.high, 1.5015);
@@ -38,13 +38,12 @@ TEST(Meetings, SlantingCapsulesAreTouchedAtTheirTops) {
   for (int x = -4; x <= 4; ++x)
     for (int y = 1; y <= 5; ++y)
       for (const int radius : {1, 2, 3}) {
-        const Scene scene = scene_of(fmt::format(
+        const std::vector<Meeting> met = meetings(fmt::format(
             "flatray = 1\nfps = 1\nframes = 41\n"
             "[[entity]]\nshape = {{ circle = {{ radius = 0 }} }}\nat = [-20, {}]\nvelocity = [1, "
             "0]\n"
             "[[entity]]\nshape = {{ capsule = {{ from = [1, 2], to = [{}, {}], radius = {} }} }}\n",
             2 + y + radius, 1 + x, 2 + y, radius));
-        const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 41), 41).value();
         ASSERT_EQ(met.size(), 1U) << x << " " << y << " " << radius;
         EXPECT_EQ(met[0].part.kind, HitClass::touch);
         EXPECT_EQ(met[0].part.times.low, 21 + x);
@@ -53,7 +52,7 @@ TEST(Meetings, SlantingCapsulesAreTouchedAtTheirTops) {
 }
 
 TEST(Meetings, CapsulesAndEllipsesMeetAsTheyAre) {
-  const Scene scene = scene_of(
+  const std::vector<Meeting> met = meetings(
       "flatray = 1\nfps = 1\nframes = 21\n"
       "[[entity]]\nname = \"pill\"\nvelocity = [1, 0]\n"
       "shape = { capsule = { from = [0, 0], to = [2, 0], radius = 1 } }\n"
@@ -62,7 +61,6 @@ TEST(Meetings, CapsulesAndEllipsesMeetAsTheyAre) {
       "shape = { circle = { radius = 0.5 } }\n"
       "[[entity]]\nname = \"ring\"\nat = [13, 0]\nshape = { ellipse = { radii = [1, 1] } }\n"
       "[[entity]]\nname = \"tall\"\nat = [6, 0]\nshape = { ellipse = { radii = [1, 2] } }\n");
-  const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 21), 21).value();
   ASSERT_EQ(met.size(), 4U);
   EXPECT_EQ(met[0].b, 4U);  // within proven times
   EXPECT_LE(met[0].part.times.low, 2);
@@ -80,12 +78,11 @@ TEST(Meetings, CapsulesAndEllipsesMeetAsTheyAre) {
 }
 
 TEST(Meetings, WhatTurnsMeetsBetweenFrames) {
-  const Scene scene = scene_of(
+  const std::vector<Meeting> met = meetings(
       "flatray = 1\nfps = 1\nframes = 5\n"
       "[[entity]]\nname = \"hand\"\nshape = { box = { min = [1, -0.1], max = [3, 0.1] } }\n"
       "angular_velocity = 90\n"
       "[[entity]]\nname = \"post\"\nshape = { box = { min = [-0.1, 1.5], max = [0.1, 2] } }\n");
-  const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 5), 5).value();
   ASSERT_EQ(met.size(), 1U);
   EXPECT_FALSE(met[0].straight);
   // The hand's upper side, 0.1 above its middle, comes to the corners of the post.
@@ -146,11 +143,11 @@ TEST(Meetings, ManyPairsTogetherTellWhatEachTellsAlone) {
 }
 
 TEST(Meetings, WhatRestsMeetsNothingThatRests) {
-  const Scene scene = scene_of(
-      "flatray = 1\nframes = 10\n"
-      "[[entity]]\nname = \"a\"\nshape = { box = { min = [0, 0], max = [2, 2] } }\n"
-      "[[entity]]\nname = \"b\"\nshape = { box = { min = [1, 1], max = [3, 3] } }\n");
-  EXPECT_TRUE(find_meetings(Timeline(scene, 0, 10), 10).value().empty());
+  EXPECT_TRUE(
+      meetings("flatray = 1\nframes = 10\n"
+               "[[entity]]\nname = \"a\"\nshape = { box = { min = [0, 0], max = [2, 2] } }\n"
+               "[[entity]]\nname = \"b\"\nshape = { box = { min = [1, 1], max = [3, 3] } }\n")
+          .empty());
 }
 
 TEST(BroadPhase, AWayOfAFewLeastDoublesIsInItsBox) {
@@ -217,7 +214,7 @@ Scene stacked(int count, int moving) {
 
 TEST(Meetings, AreFoundInBatchesThatHoldAll) {
   const Scene scene = stacked(400, 400);  // of 79 800 pairs
-  EXPECT_EQ(find_meetings(Timeline(scene, 0, 10), 10).value().size(), 400U * 399 / 2);
+  EXPECT_EQ(meetings(scene).size(), 400U * 399 / 2);
 }
 
 TEST(Meetings, MoreThanTheLimitsAreRefusedAtAnEntity) {
