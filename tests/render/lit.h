@@ -22,13 +22,19 @@ struct Fluence {
   }
 };
 
-inline Fluence fluence(const Scene& scene, unsigned threads = 1, std::uint64_t seed = 0) {
+// The light of the first frame.
+inline TracedLight traced(const Scene& scene, const LightGoal& goal = {}, TracedLight so_far = {},
+                          std::uint64_t seed = 0, unsigned threads = 1) {
   const Timeline timeline(scene, seed, 1);
-  const TracedLight traced =
-      trace_frame_light(scene, at(timeline, 1), nullptr, seed, threads, nullptr);
-  Fluence made{scene.film.width, scene.film.height, {}, traced.counts};
-  for (const std::int64_t sum : traced.sums())
-    made.rgb.push_back(static_cast<double>(sum) * traced.unit());
+  return trace_frame_light(scene, at(timeline, 1), nullptr, seed, threads, nullptr, goal,
+                           std::move(so_far));
+}
+
+inline Fluence fluence(const Scene& scene, unsigned threads = 1, std::uint64_t seed = 0) {
+  const TracedLight light = traced(scene, {}, {}, seed, threads);
+  Fluence made{scene.film.width, scene.film.height, {}, light.counts};
+  for (const std::int64_t sum : light.sums())
+    made.rgb.push_back(static_cast<double>(sum) * light.unit());
   return made;
 }
 

@@ -7,8 +7,7 @@
 #include <numbers>
 
 #include "render/light/light_picture.h"
-#include "render/light/light_run.h"
-#include "support/pictures.h"
+#include "render/lit.h"
 #include "transport/light/seen_lamps.h"
 
 namespace flatray {
@@ -30,13 +29,7 @@ GatheredLight gathered(const std::string& rest, const std::string& light = "rays
 }
 
 std::vector<double> from_lamps(const std::string& rest) {
-  const Scene scene = scene_of(seen(rest, "rays = 262144\nbounces = 50"));
-  const Timeline timeline(scene, 0, 1);
-  const TracedLight traced = trace_frame_light(scene, at(timeline, 1), nullptr, 0, 2, nullptr);
-  const std::vector<std::int64_t> sums = traced.sums();
-  std::vector<double> fluence(sums.begin(), sums.end());
-  for (double& one : fluence) one *= traced.unit();
-  return fluence;
+  return fluence(scene_of(seen(rest, "rays = 262144\nbounces = 50")), 2).rgb;
 }
 
 Vec2 middle(std::size_t pixel) {
@@ -282,19 +275,16 @@ TEST(Gather, OfLightThroughWallsHasAsManyBouncesAsForward) {
       "}\n"
       "[[entity]]\nshape = { segment = { from = [1, -9], to = [1, 9] } }\nmaterial = { pass = {} "
       "}\n";
-  const auto columns = [](const std::vector<double>& fluence) {
+  const auto columns = [](const std::vector<double>& rgb) {
     std::array<bool, 3> lit_columns{};
     for (const std::size_t column : {4U, 8U, 12U})
-      lit_columns[column / 4 - 1] = fluence[3 * (7 * 16 + column)] > 0;
+      lit_columns[column / 4 - 1] = rgb[3 * (7 * 16 + column)] > 0;
     return lit_columns;
   };
   for (unsigned bounces = 0; bounces < 4; ++bounces) {
     const std::string light = "rays = 65536\nbounces = " + std::to_string(bounces);
-    const Scene scene = scene_of(seen(panes, light));
-    const Timeline timeline(scene, 0, 1);
-    const TracedLight traced = trace_frame_light(scene, at(timeline, 1), nullptr, 0, 2, nullptr);
-    const std::vector<std::int64_t> sums = traced.sums();
-    EXPECT_EQ(columns(gathered(panes, light).fluence), columns({sums.begin(), sums.end()}))
+    EXPECT_EQ(columns(gathered(panes, light).fluence),
+              columns(fluence(scene_of(seen(panes, light)), 2).rgb))
         << bounces;
   }
 }

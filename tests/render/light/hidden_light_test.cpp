@@ -6,20 +6,14 @@
 namespace flatray {
 namespace {
 
-FillPath box(double x0, double y0, double x1, double y1) {
-  FillPath path;
-  coverage_check::add_ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, false, path);
-  path.simple = true;
-  return path;
-}
-
 // Light, and pictures with a gradient, which are drawn as light: what an opaque box covers is left out
 // there, too, and the picture is the same.
 TEST(FrameDrawer, WhatIsHiddenIsNotDrawnAsLightEither) {
   DrawList list{1000, 64, {1, 1, 1, 1}, Coverage::area, {}};
   for (int i = 0; i < 10; ++i)
     list.items.push_back({FillRing{{100.0 * i, 16}, 12}, {0.1F, 0.2F, 0.3F, 1}});
-  list.items.push_back({box(-1, -1, 1001, 32), {0, 0.5F, 0, 1}});  // the first band, no more
+  list.items.push_back(
+      {coverage_check::box_path(-1, -1, 1001, 32), {0, 0.5F, 0, 1}});  // the first band, no more
   FilmGradient gradient;
   gradient.axis = {0.001, 0};
   gradient.stops = {{0, {1, 0, 0, 0.5F}}, {1, {0, 0, 1, 0.5F}}};

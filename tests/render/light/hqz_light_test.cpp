@@ -9,9 +9,8 @@
 
 #include "oracle/flat_light.h"
 #include "render/light/light_picture.h"
-#include "render/light/light_run.h"
+#include "render/lit.h"
 #include "scene/spectrum.h"
-#include "support/pictures.h"
 
 namespace flatray {
 namespace {
@@ -37,13 +36,10 @@ Estimate estimate(int runs, const Trace& trace) {
 }
 
 Channels engine_mean(const Scene& scene, std::uint64_t seed) {
-  const Timeline timeline(scene, seed, 1);
-  const TracedLight traced = trace_frame_light(scene, at(timeline, 1), nullptr, seed, 1, nullptr);
+  const std::vector<double> rgb = fluence(scene, 1, seed).rgb;
   Channels mean{};
-  const std::vector<std::int64_t> sums = traced.sums();
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    mean[i % 3] +=
-        static_cast<double>(sums[i]) * traced.unit() * 3 / static_cast<double>(sums.size());
+  for (std::size_t i = 0; i < rgb.size(); ++i)
+    mean[i % 3] += rgb[i] * 3 / static_cast<double>(rgb.size());
   return mean;
 }
 
@@ -181,15 +177,10 @@ TEST(HqzLight, MeetsEveryAlternativeOfAWallAsOften) {
       "= " +
       across(2, 3) + "\nmaterial = 'absorb'\nalternatives = [" + across(0, -2) + ", " +
       across(2, 2) + ", " + across(2, -9) + "]\n");
-  const Timeline timeline(scene, 0, 1);
-  const TracedLight traced = trace_frame_light(scene, at(timeline, 1), nullptr, 0, 2, nullptr);
-  const std::vector<std::int64_t> sums = traced.sums();
-  const auto fluence = [&](std::size_t x) {
-    return static_cast<double>(sums[3 * (8 * 3 + x)]) * traced.unit();
-  };
-  EXPECT_NEAR(fluence(2), 4, 1e-3);
-  EXPECT_NEAR(fluence(6), 3, 0.05);
-  EXPECT_NE(fluence(6), 3);
+  const Fluence light = fluence(scene, 2);
+  EXPECT_NEAR(light.at(2, 3), 4, 1e-3);
+  EXPECT_NEAR(light.at(6, 3), 3, 0.05);
+  EXPECT_NE(light.at(6, 3), 3);
 }
 
 // A lamp at rest in a window without walls: u = 128 / 255 exp(1 + 10 e) P / (2 pi r) a pixel, in pixels.

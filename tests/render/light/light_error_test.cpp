@@ -8,8 +8,7 @@
 #include <numbers>
 
 #include "render/light/light_picture.h"
-#include "render/light/light_run.h"
-#include "support/pictures.h"
+#include "render/lit.h"
 
 namespace flatray {
 namespace {
@@ -22,13 +21,6 @@ Scene small_room(const std::string& light) {
       "[[chamber]]\nshape = { box = { min = [-3.5, -3.5], max = [3.5, 3.5] } }\n"
       "material = { diffuse = { reflectance = 0.5 } }\n"
       "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [1, 0]\nmaterial = 'mirror'\n");
-}
-
-TracedLight traced(const Scene& scene, const LightGoal& goal = {}, TracedLight so_far = {},
-                   std::uint64_t seed = 0, unsigned threads = 1) {
-  const Timeline timeline(scene, seed, 1);
-  return trace_frame_light(scene, at(timeline, 1), nullptr, seed, threads, nullptr, goal,
-                           std::move(so_far));
 }
 
 std::vector<std::vector<std::int64_t>> sums(const TracedLight& light) {

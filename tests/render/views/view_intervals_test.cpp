@@ -7,24 +7,14 @@
 #include "geom/interval_set.h"
 #include "render/counting_tracer.h"
 #include "render/row_lengths.h"
-#include "render/view.h"
-#include "support/pictures.h"
+#include "seen.h"
 
 namespace flatray {
 namespace {
 
-const View& intervals_view_called(const std::string& name) {
-  for (const View* view : views())
-    if (name == view->name) return *view;
-  ADD_FAILURE() << "no view is called " << name;
-  return *views().front();
-}
-
-Image view_of(const Scene& scene, const std::string& name, const Tracer* tracer,
-              const FrameOptions& options = {}) {
-  const Timeline timeline(scene, scene.seed, 1);
-  return draw_view({&intervals_view_called(name), {0.5, 0.25}}, tracer, scene, at(timeline, 1),
-                   options);
+// By the tracer of choice where none is given.
+Image intervals_of(const Scene& scene, const Tracer* tracer = nullptr) {
+  return view_of(scene, "intervals", {0, 0}, tracer);
 }
 
 void add(const HitInterval& hit, std::vector<Range>& inside) {
@@ -54,7 +44,7 @@ double length_ahead(const Scene& scene, const FrameState& state, const Ray& ray)
 void expect_each_pixel_alone(const Scene& scene, const std::string& name) {
   const Timeline timeline(scene, scene.seed, 1);
   const FrameState state = at(timeline, 1);
-  const Image seen = view_of(scene, "intervals", nullptr);
+  const Image seen = intervals_of(scene);
   const double side = state.window.size().x() / scene.film.width;
   for (int y = 0; y < seen.height; ++y)
     for (int x = 0; x < seen.width; ++x) {
@@ -98,8 +88,8 @@ shape = { circle = { centre = [20, 10], radius = 5 } }
 [[entity]]
 shape = { segment = { from = [1, 1], to = [30, 15] } }
 )");
-  const Image wanted = view_of(scene, "intervals", nullptr);
-  EXPECT_EQ(view_of(scene, "intervals", counting_tracer()), wanted);
+  const Image wanted = intervals_of(scene);
+  EXPECT_EQ(intervals_of(scene, counting_tracer()), wanted);
   EXPECT_EQ(tracer_counts().builds, 1U);
   EXPECT_EQ(tracer_counts().walls, 5U);
   EXPECT_EQ(tracer_counts().all, 20U);
@@ -113,8 +103,8 @@ TEST(Views, BuildTheWallsOnceAndAskARayAPixel) {
       build_world(scene, at(timeline, 1), WorldOf::everything).surfaces.size();
   for (const View* view : views()) {
     if (view->asks_for_all) continue;
-    const Image wanted = view_of(scene, view->name, nullptr);
-    EXPECT_EQ(view_of(scene, view->name, counting_tracer()), wanted) << view->name;
+    const Image wanted = view_of(scene, view->name, {0.5, 0.25}, nullptr);
+    EXPECT_EQ(view_of(scene, view->name, {0.5, 0.25}, counting_tracer()), wanted) << view->name;
     EXPECT_EQ(tracer_counts().builds, 1U) << view->name;
     EXPECT_EQ(tracer_counts().walls, walls) << view->name;
     EXPECT_EQ(tracer_counts().nearest, 32U * 18U) << view->name;

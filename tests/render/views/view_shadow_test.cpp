@@ -2,29 +2,12 @@
 // Shadows of round walls that the point of a visibility view does not lie on.
 #include <gtest/gtest.h>
 
-#include "render/view.h"
-#include "support/pictures.h"
+#include "seen.h"
 
 namespace flatray {
 namespace {
 
 constexpr double kRadius = 1.25;
-
-Image visible_from(const Scene& scene, const Vec2& point) {
-  const Timeline timeline(scene, scene.seed, 1);
-  for (const View* view : views())
-    if (std::string(view->name) == "visibility")
-      return draw_view({view, point}, find_tracer("brute"), scene, at(timeline, 1), {});
-  return {};
-}
-
-Image lit_from(const std::string& shape, const Vec2& point) {
-  const Scene scene = scene_of(
-      "flatray = 1\nfilm = { size = [81, 81], world = [[-4, -4], [4, 4]] }\n"
-      "[[entity]]\nshape = { " +
-      shape + " }\nstroke = { width = 0.1, colour = \"#000000\" }\n");
-  return visible_from(scene, point);
-}
 
 // Of the way from p to the light, the square of how near it comes to the origin.
 double nearest_squared(const Vec2& p, const Vec2& light) {
@@ -46,13 +29,11 @@ bool crosses_upper_half(const Vec2& p, const Vec2& light) {
 
 template <class Lit>
 void expect_shape_lit(const std::string& shape, const Vec2& light, const Lit& lit) {
-  const Image seen = lit_from(shape, light);
-  ASSERT_EQ(seen.width, 81);
-  for (int y = 0; y < 81; ++y)
-    for (int x = 0; x < 81; ++x) {
-      const Vec2 centre((x + 0.5) * 8 / 81 - 4, 4 - (y + 0.5) * 8 / 81);
-      EXPECT_EQ(seen.at(x, y)[0] == 255, lit(centre)) << centre.transpose();
-    }
+  expect_lit(
+      "flatray = 1\nfilm = { size = [81, 81], world = [[-4, -4], [4, 4]] }\n"
+      "[[entity]]\nshape = { " +
+          shape + " }\nstroke = { width = 0.1, colour = \"#000000\" }\n",
+      light, lit);
 }
 
 // A wall through the centres of pixels is lit on all of them.
@@ -61,7 +42,7 @@ TEST(View, WhatEndsOnAWallIsLit) {
       "flatray = 1\nfilm = { size = [40, 40], world = [[0, 0], [40, 40]] }\n"
       "[[entity]]\nshape = { segment = { from = [0, 40], to = [40, 0] } }\n");
   for (const Vec2& point : {Vec2(0.3, 0.7), Vec2(0.37, 5.1), Vec2(0.41, 5.1), Vec2(0.17, 39.3)}) {
-    const Image seen = visible_from(scene, point);
+    const Image seen = view_of(scene, "visibility", point);
     for (int i = 0; i < 40; ++i) EXPECT_EQ(seen.at(i, i)[0], 255) << i;
   }
 }

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "support/pictures.h"
+#include "seen.h"
 
 namespace flatray {
 namespace {
@@ -16,20 +16,6 @@ film = { size = [8, 4], world = [[0, 0], [8, 4]] }
 shape = { box = { min = [4, 0], max = [6, 2] } }
 fill = "#000000"
 )";
-
-const View& view_called(const std::string& name) {
-  for (const View* view : views())
-    if (name == view->name) return *view;
-  ADD_FAILURE() << "no view is called " << name;
-  return *views().front();
-}
-
-Image view_of(const Scene& scene, const std::string& name, const Vec2& point = {0, 0},
-              const char* tracer = "brute", const FrameOptions& options = {}) {
-  const Timeline timeline(scene, scene.seed, 1);
-  return draw_view({&view_called(name), point}, find_tracer(tracer), scene, at(timeline, 1),
-                   options);
-}
 
 std::vector<int> row(const Image& image, int y) {
   std::vector<int> values;
@@ -61,19 +47,6 @@ TEST(View, ALightBehindTheBoxDoesNotReachItsOtherSide) {
   const Image lit = view_of(scene_of(kViewedBox), "visibility", {7.5, 0.5});
   EXPECT_EQ(row(lit, 3), (std::vector<int>{64, 64, 64, 64, 64, 64, 255, 255}));
   EXPECT_EQ(row(lit, 0)[7], 255);
-}
-
-// Every centre of a picture against a rule.
-template <class Lit>
-void expect_lit(const std::string& text, const Vec2& point, const Lit& lit) {
-  const Scene scene = scene_of(text);
-  const Image seen = view_of(scene, "visibility", point);
-  for (int y = 0; y < seen.height; ++y)
-    for (int x = 0; x < seen.width; ++x) {
-      const double side = 8.0 / seen.width;
-      const Vec2 centre((x + 0.5) * side - 4, 4 - (y + 0.5) * side);
-      EXPECT_EQ(seen.at(x, y)[0] == 255, lit(centre)) << centre.transpose();
-    }
 }
 
 // The top of a box is y = 1 for |x| <= 3: from a point on it, all is lit but what lies behind the
@@ -153,13 +126,14 @@ TEST(View, IsTheSameFromEveryExactTracerThreadsAndCrop) {
     const Vec2 point(3, 4);
     const Image whole = view_of(scene, view->name, point);
     EXPECT_TRUE(has_content(whole)) << view->name;
-    EXPECT_EQ(whole, view_of(scene, view->name, point, "brute", threads)) << view->name;
-    const Image part = view_of(scene, view->name, point, "brute", crop);
+    const Tracer* const brute = find_tracer("brute");
+    EXPECT_EQ(whole, view_of(scene, view->name, point, brute, threads)) << view->name;
+    const Image part = view_of(scene, view->name, point, brute, crop);
     for (int y = 0; y < part.height; ++y)
       EXPECT_TRUE(std::equal(part.at(0, y), part.at(0, y) + 3 * part.width, whole.at(20, 10 + y)));
     for (const Tracer* tracer : tracers()) {
       if (!tracer->exact) continue;
-      EXPECT_EQ(whole, view_of(scene, view->name, point, tracer->name))
+      EXPECT_EQ(whole, view_of(scene, view->name, point, tracer))
           << view->name << " by " << tracer->name;
     }
   }
