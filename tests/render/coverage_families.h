@@ -111,6 +111,17 @@ inline void add_ring(const std::vector<Vec2>& ring, bool reversed, FillPath& pat
   }
 }
 
+/// The path of one ring.
+inline FillPath ring_path(const std::vector<Vec2>& ring, bool simple = true) {
+  FillPath path;
+  add_ring(ring, false, path);
+  path.simple = simple;
+  return path;
+}
+inline FillPath box_path(double x0, double y0, double x1, double y1) {
+  return ring_path({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+}
+
 // A crossing ring by even-odd is the symmetric difference of the triangles from its first vertex.
 inline RegionCase crossing_region(Draws& draws) {
   constexpr std::array kKinds{Family::random, Family::decimal, Family::corner, Family::far};
@@ -143,15 +154,6 @@ inline RegionCase make_region(Family family, std::uint64_t seed, std::uint64_t i
   return region;
 }
 
-inline std::vector<std::uint32_t> steps_of(const Region& region, const PixelBox& box,
-                                           Coverage mode = Coverage::area) {
-  std::vector<std::uint32_t> steps(static_cast<std::size_t>(box.width * box.height));
-  scan(region, mode, box, [&](int y, int x_begin, int, std::uint32_t s) {
-    steps[static_cast<std::size_t>((y - box.y) * box.width + x_begin - box.x)] = s;
-  });
-  return steps;
-}
-
 inline double exact_steps(const RegionCase& region, int x, int y) {
   Rational steps = region.path.rule == FillRule::nonzero ? exact_union_area(region.pieces, x, y)
                                                          : exact_odd_area(region.pieces, x, y);
@@ -174,7 +176,7 @@ inline double allowed(Family family) {
 
 inline void check_region(Family family, const RegionCase& region, const std::string& label,
                          Tally& tally) {
-  const std::vector<std::uint32_t> steps = steps_of(region.path, kFrame);
+  const Steps steps = steps_of(region.path, kFrame);
   FillPath other = region.path;
   other.simple = false;
   const bool same = !region.path.simple || steps_of(other, kFrame) == steps;

@@ -7,15 +7,8 @@
 namespace flatray {
 namespace {
 
-using coverage_check::add_ring;
+using coverage_check::box_path;
 using coverage_check::Draws;
-
-FillPath box_path(double x0, double y0, double x1, double y1) {
-  FillPath path;
-  add_ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, false, path);
-  path.simple = true;
-  return path;
-}
 
 // Forty boxes and discs that stay, and one of each that moves, over two films and colours.
 DrawList moving_list(int frame) {

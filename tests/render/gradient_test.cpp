@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "image/srgb.h"
+#include "render/coverage_families.h"
 #include "render/frame.h"
 
 namespace flatray {
@@ -46,11 +47,7 @@ DrawList over_white(std::vector<DrawItem> items) {
 }
 
 DrawItem square(double low, double high, const LinearColour& colour) {
-  FillPath path;
-  const Vec2 a(low, low), b(high, low), c(high, high), d(low, high);
-  path.edges = {{a, b}, {b, c}, {c, d}, {d, a}};
-  path.simple = true;
-  return {std::move(path), colour};
+  return {coverage_check::box_path(low, low, high, high), colour};
 }
 
 TEST(Layers, ItemsOfOneLayerAreFadedAsOnePicture) {

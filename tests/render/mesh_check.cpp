@@ -127,12 +127,7 @@ int check(const std::string& path, const std::string& size) {
   const DrawList list = *draw_list(make_plan(scene, false), timeline, 1);
   const Image image = render_image(list, {});
 
-  std::vector<float> share(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  scan(list.items.at(0).region, Coverage::area, {0, 0, width, height},
-       [&](int y, int begin, int end, std::uint32_t steps) {
-         std::fill_n(share.begin() + std::ptrdiff_t{y} * width + begin, end - begin,
-                     static_cast<float>(steps) / static_cast<float>(kFullCoverage));
-       });
+  const Steps steps = steps_of(list.items.at(0).region, {0, 0, width, height});
 
   const std::vector<Triangle> triangles = film_triangles(scene, at(timeline, 1));
   const Buckets buckets = by_pixel(triangles, width, height);
@@ -144,7 +139,7 @@ int check(const std::string& path, const std::string& size) {
                             static_cast<std::size_t>(x);
       const double expected = buckets[i].empty() ? 0.0 : reference(triangles, buckets[i], x, y);
       const std::uint8_t* pixel = image.at(x, y);
-      totals.add(expected, static_cast<double>(share[i]),
+      totals.add(expected, steps[i] / double{kFullCoverage},
                  pixel[0] == fill.r && pixel[1] == fill.g && pixel[2] == fill.b);
     }
   std::printf(

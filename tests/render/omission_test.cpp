@@ -11,7 +11,8 @@
 namespace flatray {
 namespace {
 
-using coverage_check::add_ring;
+using coverage_check::box_path;
+using coverage_check::ring_path;
 
 const std::string kFilm =
     "flatray = 1\nframes = 4\nfilm = { size = [64, 48], world = [[0, 0], [16, 12]] }\n";
@@ -123,15 +124,6 @@ TEST(Omissions, WhatLiesBesideTheFilmIsNotDrawn) {
     EXPECT_EQ(at(beside), 0U) << beside;
 }
 
-// Lists of items for the painters.
-
-FillPath box_path(double x0, double y0, double x1, double y1) {
-  FillPath path;
-  add_ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, false, path);
-  path.simple = true;
-  return path;
-}
-
 // A film of one band: ten discs, then an opaque box over all of it, then a small disc.
 DrawList hiding_list(Coverage coverage, float alpha) {
   DrawList list{128, 32, {1, 1, 1, 1}, coverage, {}};
@@ -195,9 +187,7 @@ FillPath comb(int edges) {
   std::vector<Vec2> corners;
   for (int i = 0; i + 1 < edges; ++i) corners.emplace_back(2.0 * i, i % 2 == 0 ? 0.0 : 600.0);
   corners.emplace_back(1, -3);
-  FillPath path;
-  add_ring(corners, false, path);
-  return path;
+  return ring_path(corners, false);
 }
 
 TEST(Omissions, EdgesAreSortedByBandOnlyWhereTheyAreMany) {

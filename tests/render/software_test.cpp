@@ -7,10 +7,12 @@
 namespace flatray {
 namespace {
 
+using coverage_check::box_path;
 using coverage_check::Draws;
 using coverage_check::Family;
 using coverage_check::kFamilies;
 using coverage_check::make_region;
+using coverage_check::ring_path;
 
 DrawList mixed_list(int width, int height) {
   DrawList list;
@@ -101,10 +103,8 @@ DrawList crowd(std::uint64_t seed) {
       const double high = i % 4 == 1 ? low + 0.3 : low + 1;
       ring = {{0, low}, {1, low}, {1, high}, {0, high}};
     }
-    FillPath path;
-    coverage_check::add_ring(ring, false, path);
     const auto level = [&] { return static_cast<float>(draws.unit()); };
-    list.items.push_back({path, {level(), level(), level(), 1}});
+    list.items.push_back({ring_path(ring, false), {level(), level(), level(), 1}});
   }
   return list;
 }
@@ -130,15 +130,14 @@ TEST(Software, CrowdedPixelsDependOnNoNeighbourAndOnNothingHidden) {
 
 // The same edges cut the pixel again and again, and rounding makes corners beside them.
 TEST(Software, CopiesOfAThinTriangleShowTheUppermost) {
-  FillPath path;
-  coverage_check::add_ring({{0.03397714339507729, 0.5869348547752509},
-                            {0.2003213380365878, 1},
-                            {0.19910809822022202, 1}},
-                           false, path);
+  const FillPath path = ring_path({{0.03397714339507729, 0.5869348547752509},
+                                   {0.2003213380365878, 1},
+                                   {0.19910809822022202, 1}},
+                                  false);
   DrawList list{1, 1, {0, 0, 0, 1}, Coverage::area, {}};
   for (const float level : {0.2F, 0.4F, 0.6F, 0.8F})
     list.items.push_back({path, {level, level, level, 1}});
-  const double area = coverage_check::steps_of(path, {0, 0, 1, 1})[0] / 64770.0;
+  const double area = steps_of(path, {0, 0, 1, 1})[0] / 64770.0;
   EXPECT_NEAR(static_cast<double>(render_linear(list, {}).pixels[0]), 0.8 * area, 1e-5);
 }
 
@@ -147,12 +146,11 @@ TEST(Software, ManyEdgesAreSortedIntoBandsWithoutLosingOne) {
   std::vector<Vec2> ring;
   Draws draws(4, 4);
   for (int i = 0; i < 400; ++i) ring.push_back({draws.unit() * 700, draws.unit() * 500});
-  FillPath path;
-  coverage_check::add_ring(ring, false, path);
+  FillPath path = ring_path(ring, false);
   path.rule = FillRule::even_odd;
   DrawList list{700, 500, {0, 0, 0, 1}, Coverage::area, {{path, {1, 1, 1, 1}}}};
   const LinearImage picture = render_linear(list, {std::nullopt, 2});
-  const auto steps = coverage_check::steps_of(path, {0, 0, 700, 500});
+  const auto steps = steps_of(path, {0, 0, 700, 500});
   for (std::size_t i = 0; i < steps.size(); ++i)
     ASSERT_NEAR(static_cast<double>(picture.pixels[3 * i]), steps[i] / 64770.0, 1e-5) << i;
 }
@@ -167,8 +165,7 @@ TEST(StiffCases, E1AnEmptyListIsItsBackground) {
 }
 
 TEST(Software, ATransparentBackgroundGivesFourChannels) {
-  FillPath half;
-  coverage_check::add_ring({{0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}}, false, half);
+  const FillPath half = ring_path({{0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}}, false);
   const DrawList list{2, 1, {0, 0, 0, 0}, Coverage::area, {{half, {0, 1, 0, 1}}}};
   const Image image = render_image(list, {});
   ASSERT_EQ(image.channels, 4);
@@ -178,9 +175,7 @@ TEST(Software, ATransparentBackgroundGivesFourChannels) {
 }
 
 TEST(StiffCases, E2ThinPicturesOfManyPixels) {
-  FillPath all;
-  coverage_check::add_ring({{0, 0}, {1e5, 0}, {1e5, 1e5}, {0, 1e5}}, false, all);
-  all.simple = true;
+  const FillPath all = box_path(0, 0, 1e5, 1e5);
   for (const auto& [width, height] :
        {std::pair(100000, 1), std::pair(1, 100000), std::pair(1, 1)}) {
     const DrawList list{width, height, {0, 0, 0, 1}, Coverage::area, {{all, {1, 1, 1, 1}}}};

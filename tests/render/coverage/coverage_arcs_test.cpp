@@ -7,27 +7,10 @@ namespace flatray {
 namespace {
 
 using coverage_check::Draws;
-using Steps = std::vector<std::uint32_t>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kArcsSide = 12;
 constexpr PixelBox kBox{0, 0, kArcsSide, kArcsSide};
-
-template <class Region>
-Steps steps_of(const Region& region, const PixelBox& box, Coverage mode = Coverage::area) {
-  Steps steps(static_cast<std::size_t>(box.width * box.height));
-  scan(region, mode, box, [&](int y, int x_begin, int x_end, std::uint32_t s) {
-    for (int x = x_begin; x < x_end; ++x)
-      steps[static_cast<std::size_t>((y - box.y) * box.width + x - box.x)] = s;
-  });
-  return steps;
-}
-
-double area(const Steps& steps) {
-  double sum = 0;
-  for (const std::uint32_t s : steps) sum += s;
-  return sum / kFullCoverage;
-}
 
 FillArcs whole(const Vec2& centre, const Vec2& u, const Vec2& v) {
   return {ArcPath{{EllipseArc{centre, u, v}}, true}};
@@ -118,7 +101,7 @@ TEST(ArcCoverage, AnyConjugateHalfDiametersGiveTheSameEllipse) {
 
 TEST(ArcCoverage, ThePixelsSumToTheArea) {
   const auto expect_area = [](const FillArcs& arcs, double wanted) {
-    EXPECT_NEAR(area(steps_of(arcs, {0, 0, 40, 40})), wanted, 400.0 / kFullCoverage);
+    EXPECT_NEAR(covered_area(steps_of(arcs, {0, 0, 40, 40})), wanted, 400.0 / kFullCoverage);
   };
   expect_area(whole({20.3, 19.1}, {9, 4}, {-2, 7}), kPi * 71);
   const Vec2 u(8.25, 0), v(0, 8.25);
@@ -168,8 +151,8 @@ TEST(StiffCases, B13OddEllipsesAreDrawnOrNothing) {
         for (const Coverage mode : {Coverage::area, Coverage::centre})
           for (const std::uint32_t s : steps_of(whole(centre, u, v), {0, 0, 9, 9}, mode))
             ASSERT_LE(s, kFullCoverage);
-  EXPECT_EQ(area(steps_of(whole({4, 4}, {3, 3}, {3, 3}), kBox)), 0);
-  EXPECT_EQ(area(steps_of(whole({4, 4}, {1e9, 0}, {0, 1e9}), kBox)), kArcsSide * kArcsSide);
+  EXPECT_EQ(covered_area(steps_of(whole({4, 4}, {3, 3}, {3, 3}), kBox)), 0);
+  EXPECT_EQ(covered_area(steps_of(whole({4, 4}, {1e9, 0}, {0, 1e9}), kBox)), kArcsSide * kArcsSide);
 }
 
 }  // namespace

@@ -8,26 +8,20 @@
 namespace flatray {
 namespace {
 
-using coverage_check::add_ring;
 using coverage_check::Family;
 using coverage_check::kFamilies;
 using coverage_check::kFrame;
 using coverage_check::make_region;
 using coverage_check::RegionCase;
-using coverage_check::steps_of;
+using coverage_check::ring_path;
 using oracle::Draw;
-using Steps = std::vector<std::uint32_t>;
 
 std::size_t count_full(const Steps& steps) {
   return static_cast<std::size_t>(std::count(steps.begin(), steps.end(), kFullCoverage));
 }
 
-template <class Shape>
-std::size_t centres(const Shape& shape, const PixelBox& box) {
-  std::size_t count = 0;
-  scan(shape, Coverage::centre, box,
-       [&](int, int from, int to, std::uint32_t) { count += static_cast<std::size_t>(to - from); });
-  return count;
+std::size_t centres(const FillRing& disc, const PixelBox& box) {
+  return count_full(steps_of(disc, box, Coverage::centre));
 }
 
 TEST(StiffCases, E10CentresInsideDiscsOnAPixelCorner) {
@@ -40,9 +34,8 @@ TEST(StiffCases, E10CentresInsideDiscsOnAPixelCorner) {
 }
 
 TEST(StiffCases, E10TheTrianglesComplementTakesTheSlantedEdge) {
-  FillPath triangle, complement;
-  add_ring({{0, 0}, {100, 0}, {0, 100}}, false, triangle);
-  add_ring({{100, 0}, {100, 100}, {0, 100}}, false, complement);
+  const FillPath triangle = ring_path({{0, 0}, {100, 0}, {0, 100}}, false);
+  const FillPath complement = ring_path({{100, 0}, {100, 100}, {0, 100}}, false);
   const PixelBox box{0, 0, 100, 100};
   const Steps inside = steps_of(triangle, box, Coverage::centre);
   const Steps outside = steps_of(complement, box, Coverage::centre);

@@ -4,23 +4,16 @@
 
 #include "base/philox.h"
 #include "render/coverage/pixel_area.h"
-#include "render/scan_region.h"
+#include "render/coverage_families.h"
 
 namespace flatray {
 namespace {
 
-void add_ring(FillPath& path, const std::vector<Vec2>& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    path.edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-}
+using coverage_check::add_ring;
 
-// Area of a path in [0, size]^2 by its pixels, one after another.
+// Area of a path in [0, size]^2 by its pixels.
 double area_of(const FillPath& path, int size) {
-  double area = 0;
-  scan(path, Coverage::area, {0, 0, size, size}, [&](int, int begin, int end, std::uint32_t steps) {
-    area += (end - begin) * (static_cast<double>(steps) / kFullCoverage);
-  });
-  return area;
+  return covered_area(steps_of(path, {0, 0, size, size}));
 }
 
 FillPath triangles(double scale, FillRule rule) {
@@ -38,7 +31,7 @@ FillPath triangles(double scale, FillRule rule) {
     const Vec2 at = 0.8 * point();
     std::vector<Vec2> ring;
     for (int k = 0; k < 3; ++k) ring.emplace_back(scale * (at + 0.2 * point()));
-    add_ring(path, ring);
+    add_ring(ring, false, path);
   }
   return path;
 }
@@ -47,13 +40,12 @@ TEST(CrowdedCoverage, UprightBarsInOnePixelHaveTheirExactArea) {
   FillPath path;
   for (int i = 0; i < 50; ++i) {
     const double x = 3 + i / 64.0;
-    add_ring(path, {{x, 4}, {x + 1 / 128.0, 4}, {x + 1 / 128.0, 6}, {x, 6}});
+    add_ring({{x, 4}, {x + 1 / 128.0, 4}, {x + 1 / 128.0, 6}, {x, 6}}, false, path);
   }
-  std::vector<std::uint32_t> seen;
-  scan(path, Coverage::area, {0, 0, 8, 8},
-       [&](int, int, int, std::uint32_t steps) { seen.push_back(steps); });
+  Steps seen = steps_of(path, {0, 0, 8, 8});
+  std::erase(seen, 0U);
   const auto expected = static_cast<std::uint32_t>(50 / 128.0 * kFullCoverage + 0.5);
-  EXPECT_EQ(seen, (std::vector<std::uint32_t>{expected, expected}));
+  EXPECT_EQ(seen, (Steps{expected, expected}));
 }
 
 TEST(CrowdedCoverage, ACrowdIsWithinItsBoundOfItselfSixtyFourTimesLarger) {
@@ -72,25 +64,17 @@ TEST(CrowdedCoverage, FacesThatLieOnOneAnotherCoverWhatOneDoes) {
   const std::vector<Vec2> face = {{0.1, 0.1}, {3.3, 0.4}, {2.9, 3.1}, {0.3, 2.7}};
   for (const FillRule rule : {FillRule::nonzero, FillRule::even_odd}) {
     FillPath once{{}, rule}, often{{}, rule};
-    add_ring(once, face);
-    for (int i = 0; i < 101; ++i) add_ring(often, face);
-    const auto steps_of = [](const FillPath& path) {
-      std::vector<std::uint32_t> all;
-      scan(path, Coverage::area, {0, 0, 4, 4}, [&](int y, int begin, int end, std::uint32_t steps) {
-        for (int x = begin; x < end; ++x)
-          all.push_back(static_cast<std::uint32_t>(4 * y + x) << 20 | steps);
-      });
-      return all;
-    };
-    EXPECT_EQ(steps_of(often), steps_of(once));
+    add_ring(face, false, once);
+    for (int i = 0; i < 101; ++i) add_ring(face, false, often);
+    EXPECT_EQ(steps_of(often, {0, 0, 4, 4}), steps_of(once, {0, 0, 4, 4}));
   }
 }
 
 TEST(CrowdedCoverage, ACoveredPixelIsFullAndOneBesideTheCrowdIsEmpty) {
   FillPath path = triangles(1, FillRule::nonzero);
-  add_ring(path, {{-1, -1}, {3, -1}, {3, 3}, {-1, 3}});  // the way most triangles do not go
-  add_ring(path, {{-1, -1}, {3, -1}, {3, 3}, {-1, 3}});
-  for (int i = 0; i < 60; ++i) add_ring(path, {{-1, -1}, {3, -1}, {3, 3}, {-1, 3}});
+  add_ring({{-1, -1}, {3, -1}, {3, 3}, {-1, 3}}, false, path);  // the way most triangles do not go
+  add_ring({{-1, -1}, {3, -1}, {3, 3}, {-1, 3}}, false, path);
+  for (int i = 0; i < 60; ++i) add_ring({{-1, -1}, {3, -1}, {3, 3}, {-1, 3}}, false, path);
   EXPECT_EQ(area_of(path, 2), 4);
   EXPECT_NEAR(area_of(triangles(1, FillRule::nonzero), 2),
               area_of(triangles(1, FillRule::nonzero), 1), 1e-4);

@@ -48,8 +48,7 @@ TEST(Outline, AGridOfTrianglesIsItsBorderAndCoversTheSame) {
   FillPath outline = mesh;
   outline.edges = cancel_edges(mesh.edges);
   EXPECT_EQ(outline.edges.size(), 4U * kSide);
-  EXPECT_EQ(coverage_check::steps_of(outline, {0, 0, 10, 9}),
-            coverage_check::steps_of(mesh, {0, 0, 10, 9}));
+  EXPECT_EQ(steps_of(outline, {0, 0, 10, 9}), steps_of(mesh, {0, 0, 10, 9}));
 }
 
 }  // namespace

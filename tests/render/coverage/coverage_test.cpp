@@ -11,22 +11,8 @@ using coverage_check::kFamilies;
 using coverage_check::kFrame;
 using coverage_check::make_region;
 using coverage_check::RegionCase;
-using coverage_check::steps_of;
+using coverage_check::ring_path;
 using coverage_check::Tally;
-using Steps = std::vector<std::uint32_t>;
-
-FillPath ring_path(const std::vector<Vec2>& ring, bool simple = true) {
-  FillPath path;
-  add_ring(ring, false, path);
-  path.simple = simple;
-  return path;
-}
-
-double total_area(const Steps& steps) {
-  double sum = 0;
-  for (const std::uint32_t s : steps) sum += s;
-  return sum / kFullCoverage;
-}
 
 class ExactCoverage : public testing::TestWithParam<Family> {};
 
@@ -140,7 +126,7 @@ TEST(Coverage, ThePixelsSumToThePolygonsArea) {
   const Steps steps = steps_of(ring_path({{0.3, 0.2}, {8.7, 1.1}, {6.1, 8.9}, {1.9, 7.3}}), kFrame);
   const double area = 0.5 * std::abs(0.3 * 1.1 - 8.7 * 0.2 + 8.7 * 8.9 - 6.1 * 1.1 + 6.1 * 7.3 -
                                      1.9 * 8.9 + 1.9 * 0.2 - 0.3 * 7.3);
-  EXPECT_NEAR(total_area(steps), area, 81.0 / kFullCoverage);
+  EXPECT_NEAR(covered_area(steps), area, 81.0 / kFullCoverage);
 }
 
 TEST(Coverage, AnEdgeOfHugeCoordinatesIsStillExact) {

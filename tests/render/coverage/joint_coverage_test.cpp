@@ -14,14 +14,8 @@ using coverage_check::Draws;
 using coverage_check::Family;
 using coverage_check::kFrame;
 using coverage_check::point;
+using coverage_check::ring_path;
 using coverage_check::SeenArea;
-
-FillPath ring_of(const std::vector<Vec2>& ring) {
-  FillPath path;
-  add_ring(ring, false, path);
-  path.simple = true;
-  return path;
-}
 
 DrawList on_black(std::vector<DrawItem> items, int side = 9, Coverage coverage = Coverage::area) {
   return {side, side, {0, 0, 0, 1}, coverage, std::move(items)};
@@ -185,8 +179,8 @@ TEST(JointCoverage, ShapesThatAbutShowNoSeam) {
     Draws draws(19, item);
     const Vec2 a(9 * draws.unit(), 0), b(9 * draws.unit(), 9);
     const DrawList halves = on_black(
-        {{ring_of({{0, 0}, a, b, {0, 9}}), white}, {ring_of({a, {9, 0}, {9, 9}, b}), white}});
-    const DrawList whole = on_black({{ring_of({{0, 0}, {9, 0}, {9, 9}, {0, 9}}), white}});
+        {{ring_path({{0, 0}, a, b, {0, 9}}), white}, {ring_path({a, {9, 0}, {9, 9}, b}), white}});
+    const DrawList whole = on_black({{ring_path({{0, 0}, {9, 0}, {9, 9}, {0, 9}}), white}});
     EXPECT_LE(largest_difference(halves, whole), 1e-6) << item;
   }
   const double quarter = 0.5 * std::numbers::pi;
@@ -210,10 +204,10 @@ TEST(JointCoverage, WhatLiesTwiceOnItselfIsThereOnce) {
 TEST(JointCoverage, VeilsOverShapesThatAbutShowNoSeam) {
   const LinearColour red{1, 0, 0, 1}, veil{0, 0, 1, 0.5F};
   const DrawItem over{FillRing{{4, 4}, 3.5}, veil};
-  const DrawList halves = on_black({{ring_of({{0, 0}, {4.3, 0}, {5.1, 9}, {0, 9}}), red},
-                                    {ring_of({{4.3, 0}, {9, 0}, {9, 9}, {5.1, 9}}), red},
+  const DrawList halves = on_black({{ring_path({{0, 0}, {4.3, 0}, {5.1, 9}, {0, 9}}), red},
+                                    {ring_path({{4.3, 0}, {9, 0}, {9, 9}, {5.1, 9}}), red},
                                     over});
-  const DrawList whole = on_black({{ring_of({{0, 0}, {9, 0}, {9, 9}, {0, 9}}), red}, over});
+  const DrawList whole = on_black({{ring_path({{0, 0}, {9, 0}, {9, 9}, {0, 9}}), red}, over});
   EXPECT_LE(largest_difference(halves, whole), 1e-6);
 }
 
@@ -240,7 +234,7 @@ TEST(JointCoverage, CurvesThatCrossAgreeWithRays) {
 TEST(RowCoverage, IsExactAlongEachRay) {
   DrawList list{4, 1, {0, 0, 0, 1}, Coverage::rows, {}};
   list.rows = 2;
-  list.items.push_back({ring_of({{0, 0}, {4, 2}, {0, 2}}), {1, 1, 1, 1}});
+  list.items.push_back({ring_path({{0, 0}, {4, 2}, {0, 2}}), {1, 1, 1, 1}});
   const LinearImage picture = render_linear(list, {});
   // x < 2 y at y = 1/4 and 3/4: 0.5 and 1.5 of the row.
   EXPECT_EQ(picture.pixels[0], 0.75F);
@@ -249,7 +243,8 @@ TEST(RowCoverage, IsExactAlongEachRay) {
 }
 
 TEST(RowCoverage, OfBoxesOnRaysIsTheirArea) {
-  const DrawItem box{ring_of({{1.25, 1.5}, {6.75, 1.5}, {6.75, 7.25}, {1.25, 7.25}}), {1, 1, 1, 1}};
+  const DrawItem box{ring_path({{1.25, 1.5}, {6.75, 1.5}, {6.75, 7.25}, {1.25, 7.25}}),
+                     {1, 1, 1, 1}};
   DrawList rows = on_black({box}, 9, Coverage::rows);
   EXPECT_EQ(largest_difference(rows, on_black({box})), 0);
   rows.rows = 1;
@@ -258,7 +253,7 @@ TEST(RowCoverage, OfBoxesOnRaysIsTheirArea) {
 
 TEST(RowCoverage, GoesToAreaWithTheNumberOfRays) {
   std::vector<DrawItem> items{{FillRing{{4.2, 4.9}, 3.1}, {1, 0, 0, 1}},
-                              {ring_of({{0.3, 0.2}, {8.1, 4.3}, {2.2, 8.7}}), {0, 1, 0, 0.5F}}};
+                              {ring_path({{0.3, 0.2}, {8.1, 4.3}, {2.2, 8.7}}), {0, 1, 0, 0.5F}}};
   double before = 1;
   for (const int rays : {1, 4, 16, 64}) {
     DrawList rows = on_black(items, 9, Coverage::rows);

@@ -14,26 +14,17 @@ namespace flatray {
 namespace {
 
 using coverage_check::Draws;
-using Steps = std::vector<std::uint32_t>;
 
 constexpr int kStrokeSide = 20;
 
 Steps stroke_steps(const FillPath& path) {
-  Steps steps(kStrokeSide * kStrokeSide);
-  scan(path, Coverage::area, {0, 0, kStrokeSide, kStrokeSide},
-       [&](int y, int x_begin, int x_end, std::uint32_t s) {
-         for (int x = x_begin; x < x_end; ++x)
-           steps[static_cast<std::size_t>(y * kStrokeSide + x)] = s;
-       });
-  return steps;
+  return steps_of(path, {0, 0, kStrokeSide, kStrokeSide});
 }
 
 double area_of(const Chain& chain, const LineStyle& style) {
   FillPath path;
   add_line(chain, style, path.edges);
-  double sum = 0;
-  for (const std::uint32_t s : stroke_steps(path)) sum += s;
-  return sum / kFullCoverage;
+  return covered_area(stroke_steps(path));
 }
 
 TEST(Stroke, OfTheShortestLegsIsAsWideAsAll) {
