@@ -1,18 +1,12 @@
 #include "image/picture_format.h"
 
-#include <algorithm>
-
 #include "base/entry_named.h"
 
 namespace flatray {
 
 #include "pictures.inc"  // picture_formats()
 
-std::vector<std::string> picture_format_names() {
-  std::vector<std::string> names;
-  for (const PictureFormat* format : picture_formats()) names.emplace_back(format->name);
-  return names;
-}
+std::vector<std::string> picture_format_names() { return names_of(picture_formats()); }
 
 const PictureFormat* find_picture_format(std::string_view name) {
   return entry_named(picture_formats(), name);

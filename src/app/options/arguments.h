@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
+#include "base/entry_named.h"
 #include "base/result.h"
 
 namespace flatray {
@@ -115,19 +115,6 @@ class Arguments {
 using Environment = const char* (*)(const char* name);
 Arguments parse_arguments(std::span<const Option> options, const std::vector<std::string>& words,
                           Environment environment);
-
-/// Names of registered entries, or of pointers to them.
-template <class Entries>
-std::vector<std::string> names_of(const Entries& entries) {
-  std::vector<std::string> names;
-  for (const auto& entry : entries) {
-    if constexpr (std::is_pointer_v<std::decay_t<decltype(entry)>>)
-      names.emplace_back(entry->name);
-    else
-      names.emplace_back(entry.name);
-  }
-  return names;
-}
 
 /// A failed Result with Trouble::usage.
 inline tl::unexpected<Diagnostics> usage_error(Place where, std::string message,
