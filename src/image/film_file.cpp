@@ -161,14 +161,9 @@ Result<FilmFile> decode_film(std::span<const std::byte> bytes, const std::string
   Reader end{bytes.last(8)};
   if (Hash().add(bytes.first(bytes.size() - 8)).value() != end.number())
     return wrong("film is damaged: its checksum is another");
-  FilmFile film{std::string(reader.text(header.setting)),
-                static_cast<int>(header.width),
-                static_cast<int>(header.height),
-                static_cast<int>(header.channels),
-                std::bit_cast<double>(header.unit),
-                {},
-                {},
-                {}};
+  FilmFile film{std::string(reader.text(header.setting)), static_cast<int>(header.width),
+                static_cast<int>(header.height), static_cast<int>(header.channels),
+                std::bit_cast<double>(header.unit)};
   if (!(film.round_unit >= 0 && std::isfinite(film.round_unit)))
     return wrong("film has light without a unit");
   std::vector<std::uint64_t> words;

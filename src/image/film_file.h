@@ -21,9 +21,9 @@ struct FilmFile {
   std::string setting;  ///< all that the bytes depend on but the rounds, as one line of JSON
   int width = 0, height = 0, channels = 3;
   double round_unit = 0;  ///< TracedLight::round_unit
-  FilmRounds rounds;
-  std::vector<std::int64_t> counts;  ///< what else is counted, by its writer
-  std::vector<Scramble> scrambles;
+  FilmRounds rounds{};
+  std::vector<std::int64_t> counts{};  ///< what else is counted, by its writer
+  std::vector<Scramble> scrambles{};
   bool operator==(const FilmFile&) const = default;
 };
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <new>
 
-#include "base/check.h"
 #include "image/hdr.h"
 
 #define STB_IMAGE_WRITE_STATIC

@@ -1,6 +1,5 @@
 #include "image/image.h"
 
-#include <array>
 #include <bit>
 #include <cstring>
 

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "base/check.h"
 #include "base/file.h"
 #include "image/checksums.h"
 #include "image/png.h"
