@@ -52,11 +52,8 @@ Result<ReadScene> read_text(std::string name, std::string text,
   const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
   Imports imports(source, limits.max_bytes, limits.threads, limits.root);
   Result<SceneDesc> desc = describe(source, overrides, imports, limits);
-  if (!desc) {
-    tell_where_said(desc.error());
-    return fail(std::move(desc));
-  }
-  Result<LoadedScene> loaded = build_scene(*desc, imports, limits, seed);
+  Result<LoadedScene> loaded =
+      desc ? build_scene(*desc, imports, limits, seed) : Result<LoadedScene>(fail(std::move(desc)));
   if (!loaded) {
     tell_where_said(loaded.error());
     return fail(std::move(loaded));

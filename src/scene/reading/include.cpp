@@ -20,61 +20,47 @@ std::string identity(const SourcePtr& source) {
   return known.empty() ? source->name() : known.string();
 }
 
-// Members by key, for tables that may be large.
-std::map<std::string_view, Member*> by_key(Value& table) {
-  std::map<std::string_view, Member*> members;
-  for (Member& member : table.members) members.emplace(member.key, &member);
-  return members;
+template <class T>
+void append(std::vector<T>& to, std::vector<T>&& from) {
+  std::ranges::move(from, std::back_inserter(to));
+}
+
+template <class T>
+void prepend(std::vector<T>&& first, std::vector<T>& to) {
+  append(first, std::move(to));
+  to = std::move(first);
+}
+
+// Puts the members of `under` before those of `over`; where both have one, `both` says what becomes
+// of it.
+template <class Both>
+void put_together(Value&& under, Value& over, const Both& both) {
+  std::map<std::string_view, Value*> known;  // tables may be large
+  for (Member& member : over.members) known.emplace(member.key, &member.value);
+  std::vector<Member> added;
+  for (Member& member : under.members) {
+    const auto found = known.find(member.key);
+    if (found == known.end())
+      added.push_back(std::move(member));
+    else
+      both(std::move(member), *found->second);
+  }
+  prepend(std::move(added), over.members);
 }
 
 // Puts what `over` says over what `under` says, and the result into `over`.
-class Merge {
- public:
-  explicit Merge(Reader& in) : in_(in) {}
-
-  void scenes(Value&& under, Value& over) {
-    std::map<std::string_view, Member*> known = by_key(over);
-    std::vector<Member> added;
-    for (Member& member : under.members) {
-      const auto found = known.find(member.key);
-      if (found == known.end())
-        added.push_back(std::move(member));
-      else
-        values(std::move(member), found->second->value);
-    }
-    add(std::move(added), over);
-  }
-
- private:
-  void values(Member&& under, Value& over) {
-    if (under.value.kind != over.kind) {
-      in_.problem(under.value.where,
-                  fmt::format("{} is {}", under.key, kind_name(under.value.kind)),
-                  fmt::format("a file that includes this one has {}", kind_name(over.kind)));
-    } else if (over.kind == Value::Kind::array) {
-      std::vector<Value> items = std::move(under.value.items);
-      std::move(over.items.begin(), over.items.end(), std::back_inserter(items));
-      over.items = std::move(items);
-    } else if (over.kind == Value::Kind::table) {
-      tables(std::move(under.value), over);
-    }
-  }
-
-  static void tables(Value&& under, Value& over) {
-    const std::map<std::string_view, Member*> known = by_key(over);
-    std::vector<Member> added;
-    for (Member& member : under.members)
-      if (known.count(member.key) == 0) added.push_back(std::move(member));
-    add(std::move(added), over);
-  }
-
-  static void add(std::vector<Member>&& first, Value& table) {
-    std::move(table.members.begin(), table.members.end(), std::back_inserter(first));
-    table.members = std::move(first);
-  }
-
-  Reader& in_;
-};
+void merge(Reader& in, Value&& under, Value& over) {
+  put_together(std::move(under), over, [&](Member&& member, Value& own) {
+    if (member.value.kind != own.kind)
+      in.problem(member.value.where,
+                 fmt::format("{} is {}", member.key, kind_name(member.value.kind)),
+                 fmt::format("a file that includes this one has {}", kind_name(own.kind)));
+    else if (own.kind == Value::Kind::array)
+      prepend(std::move(member.value.items), own.items);
+    else if (own.kind == Value::Kind::table)
+      put_together(std::move(member.value), own, [](Member&&, Value&) {});
+  });
+}
 
 class Includer {
  public:
@@ -93,23 +79,18 @@ class Includer {
       append(desc.sources, std::move(one.sources));
     }
     std::erase_if(desc.root.members, [](const Member& member) { return member.key == "include"; });
-    if (!files.empty()) Merge(in).scenes(merged(files), desc.root);
+    if (!files.empty()) merge(in, merged(files), desc.root);
     desc.sources.push_back(source);
     open_.pop_back();
   }
 
  private:
-  template <class T>
-  static void append(std::vector<T>& to, std::vector<T>&& from) {
-    std::move(from.begin(), from.end(), std::back_inserter(to));
-  }
-
   // In halves, so that no file is gone through for each of the others.
   Value merged(std::span<SceneDesc> files) {
     if (files.size() == 1) return std::move(files.front().root);
     const std::size_t half = files.size() / 2;
     Value under = merged(files.first(half)), over = merged(files.subspan(half));
-    Merge(in).scenes(std::move(under), over);
+    merge(in, std::move(under), over);
     return over;
   }
 
