@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "scene/scene.h"
 
 namespace flatray {
@@ -15,6 +17,11 @@ struct PartCounts {
   std::size_t other_curves() const { return closed_paths + open_paths + beziers; }
   bool operator==(const PartCounts&) const = default;
 };
-PartCounts part_counts(const Shape& shape);
+inline PartCounts part_counts(const Shape& shape) {
+  const auto closed = static_cast<std::size_t>(
+      std::ranges::count_if(shape.arc_paths, [](const ArcPath& path) { return path.closed; }));
+  return {shape.piece_count(),   shape.crossing_rings.size(),     shape.circles.size(), closed,
+          shape.segments.size(), shape.arc_paths.size() - closed, shape.beziers.size()};
+}
 
 }  // namespace flatray
