@@ -116,11 +116,9 @@ std::optional<ReadMaterial> read_material(Builder& builder, const Field& field,
       return material ? std::optional(ReadMaterial{*material}) : std::nullopt;
     }
     if (std::ranges::any_of(material_types(), is_type))
-      return builder.in.refuse({field.value.where,
-                                fmt::format("{} '{}' has numbers of its own", field.name, text),
-                                fmt::format("write {{ {} = {{}} }}", text)});
-    std::vector<std::string> known;
-    for (const auto& [word, material] : words) known.emplace_back(word);
+      return builder.in.refuse(field, fmt::format("'{}' has numbers of its own", text),
+                               fmt::format("write {{ {} = {{}} }}", text));
+    std::vector<std::string> known = names_of(words);
     for (const auto* type : material_types())
       if (std::ranges::find(known, type->name) == known.end()) known.emplace_back(type->name);
     return builder.in.refuse(unknown_word(field.value.where, field.name, text, known));

@@ -147,7 +147,7 @@ std::vector<Vec2> Args::points(const char* key) {
   const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
     if (!builder_->in.is(field, Value::Kind::array, "a list of points")) return;
     if (field.value.items.empty())
-      builder_->in.problem(field.value.where, field.name + " is empty", "write at least one point");
+      builder_->in.problem(field, "is empty", "write at least one point");
     for (std::size_t i = 0; i < field.value.items.size(); ++i) note_point(field.item(i), made);
   });
   std::vector<Vec2> points;
@@ -156,15 +156,11 @@ std::vector<Vec2> Args::points(const char* key) {
   return points;
 }
 
-Place Args::place(const char* key) const {
-  const Member* member = field_ ? field_->value.find(key) : nullptr;
-  return member == nullptr ? where : member->value.where;
-}
-
 Place Args::place(const char* key, std::size_t index) const {
   const Member* member = field_ ? field_->value.find(key) : nullptr;
-  if (member == nullptr || index >= member->value.items.size()) return place(key);
-  return member->value.items[index].where;
+  if (member == nullptr) return where;
+  const std::vector<Value>& items = member->value.items;
+  return index < items.size() ? items[index].where : member->value.where;
 }
 
 Colour Args::colour(const char* key, const Colour& fallback) {

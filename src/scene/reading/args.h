@@ -42,10 +42,9 @@ class Args {
     return plain(key, fallback,
                  [&](const Field& field) { return builder_->in.word(field, words); });
   }
-  /// Place of an argument, or of all of them where it is not given.
-  Place place(const char* key) const;
-  /// Place of entry `index` of an array argument.
-  Place place(const char* key, std::size_t index) const;
+  /// Place of an argument, or of all of them where it is not given; of an array that of entry
+  /// `index`, if asked for.
+  Place place(const char* key, std::size_t index = ~std::size_t{0}) const;
 
   /// "circle.radius MESSAGE", of what was read and means nothing.
   void problem(const char* key, const std::string& message, std::string hint);

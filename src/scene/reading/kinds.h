@@ -1,8 +1,6 @@
 #pragma once
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "scene/reading/reader.h"
 
 namespace flatray {
@@ -19,16 +17,9 @@ template <class Type>
 std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
                                     const std::vector<const Type*>& types, const char* what) {
   if (!in.is(field, Value::Kind::table, what)) return std::nullopt;
-  const auto names = [&types] {
-    std::vector<std::string> all(types.size());
-    std::ranges::transform(types, all.begin(), &Type::name);
-    return all;
-  };
   if (field.value.members.size() != 1)
-    return in.refuse(
-        {field.value.where,
-         fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
-         "write one of: " + comma_list(names())});
+    return in.refuse(field, fmt::format("has {} kinds, not one", field.value.members.size()),
+                     "write one of: " + comma_list(names_of(types)));
   const Member& kind = field.value.members.front();
   for (const Type* type : types) {
     if (kind.key != type->name) continue;
@@ -36,7 +27,8 @@ std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
     if (!in.is(arguments, Value::Kind::table, "a table")) return std::nullopt;
     return Kind<Type>{type, kind.value};
   }
-  return in.refuse(unknown_word(kind.where, std::string_view(what).substr(2), kind.key, names()));
+  return in.refuse(
+      unknown_word(kind.where, std::string_view(what).substr(2), kind.key, names_of(types)));
 }
 
 }  // namespace flatray

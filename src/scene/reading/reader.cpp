@@ -55,6 +55,10 @@ void Reader::problem(const Place& where, std::string message, std::string hint) 
   problems.push_back({where, std::move(message), std::move(hint)});
 }
 
+void Reader::problem(const Field& field, const std::string& what, std::string hint) {
+  problem(field.value.where, field.name + " " + what, std::move(hint));
+}
+
 void Reader::warning(const Place& where, std::string message, std::string hint) {
   warnings.push_back({where, std::move(message), std::move(hint)});
 }
@@ -66,9 +70,13 @@ std::nullopt_t Reader::refuse(Diagnostic one) {
   return std::nullopt;
 }
 
+std::nullopt_t Reader::refuse(const Field& field, const std::string& what, std::string hint) {
+  problem(field, what, std::move(hint));
+  return std::nullopt;
+}
+
 void Reader::mismatch(const Field& field, const char* expected) {
-  problem(field.value.where,
-          fmt::format("{} is {}, not {}", field.name, kind_name(field.value.kind), expected),
+  problem(field, fmt::format("is {}, not {}", kind_name(field.value.kind), expected),
           how_to_write(field));
 }
 
@@ -86,7 +94,7 @@ bool Reader::is_pair(const Field& field, const char* expected) {
 
 bool Reader::may_draw(const Field& field) {
   if (draws != nullptr) return true;
-  problem(field.value.where, fmt::format("{} cannot be drawn at random", field.name),
+  problem(field, "cannot be drawn at random",
           "only entities, groups and their shapes are: " + how_to_write(field));
   return false;
 }
@@ -95,9 +103,7 @@ std::optional<std::size_t> Reader::draw_choice(const Field& field) {
   const Field list{field.name + ".choice", field.value.members.front().value, "[one, another]"};
   if (!may_draw(field) || !is(list, Value::Kind::array, "a list")) return std::nullopt;
   const std::size_t count = list.value.items.size();
-  if (count == 0)
-    return refuse(
-        {list.value.where, list.name + " is empty", "write at least one value to choose"});
+  if (count == 0) return refuse(list, "is empty", "write at least one value to choose");
   const double drawn = draws->unit(field.value) * static_cast<double>(count);
   return std::min(static_cast<std::size_t>(drawn), count - 1);
 }
@@ -117,8 +123,7 @@ std::optional<double> Reader::draw_number(const Field& field) {
                    is_normal ? "the second number is the standard deviation"
                              : "write the smaller number first"});
   if (std::abs(*a) > kFarthest || std::abs(*b) > kFarthest)
-    return refuse({pair.value.where, pair.name + " reaches beyond 1e300",
-                   "write numbers between -1e300 and 1e300"});
+    return refuse(pair, "reaches beyond 1e300", "write numbers between -1e300 and 1e300");
   return is_normal ? *a + reach * draws->normal(field.value)
                    : std::min(*a + reach * draws->unit(field.value), *b);
 }
@@ -138,7 +143,7 @@ bool Reader::refuse_curve(const Field& field) {
                          : "write one value: of entities places, angles, sizes, colours, "
                            "widths and opacity can change, of groups at, angle and scale, "
                            "of the camera at, height and zoom";
-  problem(field.value.where, fmt::format("{} cannot change with time", field.name), hint);
+  problem(field, "cannot change with time", hint);
   return true;
 }
 
@@ -147,9 +152,7 @@ std::optional<double> Reader::plain_number(const Field& field) {
   if (!is(field, Value::Kind::number, "a number")) return std::nullopt;
   const std::string_view text = source_text(field.value);
   const std::optional<Number> number = parse_literal(text);
-  if (!number)
-    return refuse({field.value.where, fmt::format("{} is not finite", field.name),
-                   "write a number between -1e300 and 1e300"});
+  if (!number) return refuse(field, "is not finite", "write a number between -1e300 and 1e300");
   if (number->loss == Number::Loss::integer)
     warning(field.value.where,
             fmt::format("{} reads as {}", text.substr(0, 40), decimal_text(number->value)),
@@ -166,9 +169,8 @@ std::optional<std::int64_t> Reader::integer(const Field& field, std::int64_t low
   if (!is(field, Value::Kind::number, "a whole number")) return std::nullopt;
   const std::optional<std::int64_t> value = parse_integer(source_text(field.value));
   if (value && *value >= low && *value <= high) return value;
-  return refuse({field.value.where,
-                 fmt::format("{} is {}", field.name, source_text(field.value).substr(0, 40)),
-                 fmt::format("it must be a whole number from {} to {}", low, high)});
+  return refuse(field, fmt::format("is {}", source_text(field.value).substr(0, 40)),
+                fmt::format("it must be a whole number from {} to {}", low, high));
 }
 
 std::optional<Vec2> Reader::point(const Field& field) {
@@ -179,16 +181,14 @@ std::optional<Vec2> Reader::plain_point(const Field& field) {
   if (refuse_curve(field)) return std::nullopt;
   if (!is(field, Value::Kind::array, "two numbers")) return std::nullopt;
   if (field.value.items.size() != 2)
-    return refuse(
-        {field.value.where,
-         fmt::format("{} has {}, not two", field.name, counted(field.value.items.size(), "number")),
-         how_to_write(field)});
+    return refuse(field,
+                  fmt::format("has {}, not two", counted(field.value.items.size(), "number")),
+                  how_to_write(field));
   const std::optional<double> x = number(field.item(0)), y = number(field.item(1));
   if (!x || !y) return std::nullopt;
   const Vec2 point(*x, *y);
   if (point.cwiseAbs().maxCoeff() > kFarthest)
-    return refuse({field.value.where, fmt::format("{} lies beyond 1e300", field.name),
-                   "write numbers between -1e300 and 1e300"});
+    return refuse(field, "lies beyond 1e300", "write numbers between -1e300 and 1e300");
   return point;
 }
 
@@ -197,16 +197,14 @@ std::optional<Bounds> Reader::box(const Field& field) {
   const std::optional<Vec2> low = point(field.item(0)), high = point(field.item(1));
   if (!low || !high) return std::nullopt;
   if (const Vec2 size = *high - *low; size.x() > 0 && size.y() > 0) return Bounds{*low, *high};
-  return refuse({field.value.where, field.name + " has no area",
-                 "the first point must lie below and left of the second"});
+  return refuse(field, "has no area", "the first point must lie below and left of the second");
 }
 
 std::optional<std::string> Reader::string(const Field& field) {
   if (!is(field, Value::Kind::string, "a string")) return std::nullopt;
   if (field.value.text.size() <= kMaxStringBytes) return field.value.text;
-  return refuse({field.value.where,
-                 fmt::format("{} is {} bytes long", field.name, field.value.text.size()),
-                 fmt::format("strings end at {} bytes", kMaxStringBytes)});
+  return refuse(field, fmt::format("is {} bytes long", field.value.text.size()),
+                fmt::format("strings end at {} bytes", kMaxStringBytes));
 }
 
 std::optional<bool> Reader::flag(const Field& field) {
@@ -224,8 +222,7 @@ std::optional<Colour> Reader::plain_colour(const Field& field) {
   if (!text) return std::nullopt;
   const std::optional<Colour> parsed = parse_colour(*text);
   if (!parsed)
-    problem(field.value.where,
-            fmt::format("{} '{}' is not a colour", field.name, text->substr(0, 40)),
+    problem(field, fmt::format("'{}' is not a colour", text->substr(0, 40)),
             R"(write "#rrggbb" or "#rrggbbaa")");
   return parsed;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/entry_named.h"
 #include "scene/keys/draws.h"
 #include "scene/reading/vocabulary.h"
 #include "scene/scene.h"
@@ -34,10 +35,13 @@ class Reader {
   const Draws* draws = nullptr;
 
   void problem(const Place& where, std::string message, std::string hint = {});
+  /// "film.size WHAT".
+  void problem(const Field& field, const std::string& what, std::string hint = {});
   void warning(const Place& where, std::string message, std::string hint = {});
   void add(Diagnostics more);
   /// Notes a problem, and is the answer of who found it.
   std::nullopt_t refuse(Diagnostic one);
+  std::nullopt_t refuse(const Field& field, const std::string& what, std::string hint = {});
   /// "film.size is a string, not two numbers", hint "write size = [w, h]".
   void mismatch(const Field& field, const char* expected);
   /// Whether `field` is of a kind, or an array of two; a mismatch is reported.
@@ -77,12 +81,9 @@ class Reader {
   std::optional<E> word(const Field& field, std::span<const Word<E>> words) {
     const std::optional<std::string> text = string(field);
     if (!text) return std::nullopt;
-    std::vector<std::string> known;
-    for (const auto& [name, value] : words) {
+    for (const auto& [name, value] : words)
       if (*text == name) return value;
-      known.emplace_back(name);
-    }
-    return refuse(unknown_word(field.value.where, field.name, *text, known));
+    return refuse(unknown_word(field.value.where, field.name, *text, names_of(words)));
   }
 
   /// As the member functions, chosen by the type wanted.

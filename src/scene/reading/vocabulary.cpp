@@ -54,8 +54,7 @@ Diagnostic unknown_word(Place where, std::string_view what, std::string_view wor
 
 void check_keys(const Value& table, std::string_view table_name, std::span<const KeyInfo> keys,
                 Diagnostics& problems) {
-  std::vector<std::string> known;
-  for (const KeyInfo& key : keys) known.emplace_back(key.name);
+  const std::vector<std::string> known = names_of(keys);
   std::size_t unknown = 0;
   for (const Member& member : table.members) {
     if (std::ranges::find(known, member.key) != known.end()) continue;
