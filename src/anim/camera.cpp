@@ -52,9 +52,7 @@ Bounds framed(const Timeline& timeline, double time) {
   const Camera& camera = scene.camera;
   const Bounds wanted = film.world ? *film.world : with_margin(timeline.content());
   Vec2 centre = wanted.centre();
-  if (camera.at)
-    centre = {plus(scene, camera.at->x(), camera.x_curve, time),
-              plus(scene, camera.at->y(), camera.y_curve, time)};
+  if (camera.at) centre = plus(scene, *camera.at, time);
   Bounds box = grown_to_aspect(wanted, film);
   if (camera.height) {
     const double height = plus(scene, *camera.height, time);

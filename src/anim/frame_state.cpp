@@ -23,13 +23,13 @@ EntityState local_state(const Timeline& timeline, std::uint32_t index, unsigned 
                         double time) {
   const Scene& scene = timeline.scene();
   const Entity& entity = scene.entities[index];
-  const Placed now = placed(scene, entity.at, entity.angle, entity.motion, time);
+  const Placed now = placed(scene, entity, time);
   EntityState state{.at = now.at,
                     .angle = now.angle + entity.angular_velocity * time,
                     .shape = entity.shape,
                     .fill = entity.fill,
                     .stroke = entity.stroke,
-                    .opacity = plus(scene, entity.opacity, entity.opacity_curve, time),
+                    .opacity = plus(scene, entity.opacity, time),
                     .state = std::nullopt};
   if (!entity.markov) {
     state.at = held(state.at + entity.velocity * time);

@@ -13,7 +13,7 @@ namespace {
 Pose lamp_pose(const Scene& scene, std::uint32_t index, const FrameState& state,
                std::span<const GroupPose> groups) {
   const Lamp& lamp = scene.lamps[index];
-  const Placed now = placed(scene, lamp.at, lamp.angle, lamp.motion, state.time);
+  const Placed now = placed(scene, lamp, state.time);
   const Vec2 moved = lamp.markov ? state.lamps[index].moved : Vec2(lamp.velocity * state.time);
   const auto [at, angle, scale] = in_world(
       held(now.at + moved), now.angle + lamp.angular_velocity * state.time, lamp.group, groups);
@@ -66,8 +66,7 @@ std::vector<LampState> lamp_states(const Scene& scene, const FrameState& state) 
 
 bool moves(const Lamp& lamp) {
   const auto curved = [](const std::optional<Moving>& number) { return number && number->curve; };
-  return lamp.markov || lamp.motion.any() || !lamp.velocity.isZero(0) ||
-         lamp.angular_velocity != 0 || lamp.power.curve || lamp.colour.curve != kNoEntry ||
+  return lamp.markov || lamp.moves() || lamp.power.curve || lamp.colour.curve != kNoEntry ||
          curved(lamp.wavelength) || curved(lamp.temperature) ||
          std::ranges::any_of(lamp.source.arguments, [&](const KeptArguments::Argument& argument) {
            return std::ranges::any_of(

@@ -14,8 +14,7 @@ namespace {
 bool changes(const Stroke& stroke) { return stroke.width_curve || stroke.colour.curve != kNoEntry; }
 
 bool moves(const Scene& scene, const Entity& entity) {
-  return entity.markov || entity.motion.any() || !entity.velocity.isZero(0) ||
-         entity.angular_velocity != 0 || entity.opacity_curve ||
+  return entity.markov || entity.moves() || entity.opacity.curve ||
          (entity.fill && entity.fill->curve != kNoEntry) ||
          (entity.stroke && changes(*entity.stroke)) ||
          scene.shapes[entity.shape].changes != kNoEntry;
@@ -29,15 +28,16 @@ std::string reason_of_groups(const Scene& scene, std::optional<std::uint32_t> gr
 }
 
 bool moves(const Camera& camera) {
-  return camera.x_curve || camera.y_curve || (camera.height && camera.height->curve) ||
+  return (camera.at && (camera.at->x || camera.at->y)) || (camera.height && camera.height->curve) ||
          camera.zoom.curve || !camera.velocity.isZero(0);
 }
 
 }  // namespace
 
-Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& motion, double time) {
-  Placed now{{plus(scene, at.x(), motion.x, time), plus(scene, at.y(), motion.y, time)},
-             plus(scene, angle, motion.angle, time)};
+Placed placed(const Scene& scene, const Movable& thing, double time) {
+  const Motion& motion = thing.motion;
+  Placed now{plus(scene, MovingPoint{thing.at, motion.x, motion.y}, time),
+             plus(scene, thing.angle, motion.angle, time)};
   if (!motion.follow) return now;
   const auto& [path, speed, duration, start, turn] = *motion.follow;
   const PathPoint point = point_at(scene.paths[path], start + speed * (time / duration));
@@ -57,11 +57,11 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
   std::vector<GroupPose> poses;
   poses.reserve(scene.groups.size());
   for (const Group& group : scene.groups) {
-    const Placed now = placed(scene, group.at, group.angle, group.motion, time);
+    const Placed now = placed(scene, group, time);
     Vec2 at = held(now.at + group.velocity * time);
     double angle = now.angle + group.angular_velocity * time;
-    double scale = plus(scene, group.scale, group.scale_curve, time);
-    if (group.scale_curve) scale = std::max(scale, 1 / kFarthest);
+    double scale = plus(scene, group.scale, time);
+    if (group.scale.curve) scale = std::max(scale, 1 / kFarthest);
     if (group.group) {
       at = held(poses[*group.group].pose(at));
       angle += poses[*group.group].angle;

@@ -16,7 +16,7 @@ struct Placed {
   double angle;
   double scale = 1;  ///< of the groups it stands in
 };
-Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& motion, double time);
+Placed placed(const Scene& scene, const Movable& thing, double time);
 
 /// The same in the world, of what stands at `at` in a group, or in none.
 Placed in_world(const Vec2& at, double angle, std::optional<std::uint32_t> group,

@@ -26,7 +26,7 @@ std::vector<double> knot_times(const Scene& scene, const Entity& entity) {
 }
 
 Vec2 place_of(const Scene& scene, const Entity& entity, double time) {
-  const Placed now = placed(scene, entity.at, entity.angle, entity.motion, time);
+  const Placed now = placed(scene, entity, time);
   const Vec2 at = held(now.at + entity.velocity * time);
   return entity.group ? held(group_poses(scene, time)[*entity.group].pose(at)) : at;
 }
@@ -36,7 +36,7 @@ Vec2 last_velocity(const Scene& scene, const Entity& entity) {
   Vec2 velocity = entity.velocity;
   for (auto at = entity.group; at; at = scene.groups[*at].group) {
     const Group& group = scene.groups[*at];
-    velocity = pose({0, 0}, group.angle, group.scale).turned(velocity) + group.velocity;
+    velocity = pose({0, 0}, group.angle, group.scale.value).turned(velocity) + group.velocity;
   }
   return velocity;
 }

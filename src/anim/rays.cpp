@@ -10,11 +10,6 @@
 namespace flatray {
 namespace {
 
-Vec2 direction_of(const Scene& scene, const RayPath& ray, double time) {
-  return {plus(scene, ray.direction.x(), ray.direction_x, time),
-          plus(scene, ray.direction.y(), ray.direction_y, time)};
-}
-
 // A ray of a fan before it moves: seen from where the fan stands, which looks along x as written.
 Ray in_fan(const Scene& scene, const RayPath& ray, const Vec2& d, double time) {
   if (!ray.fan) return {{0, 0}, d};
@@ -28,7 +23,7 @@ Ray in_fan(const Scene& scene, const RayPath& ray, const Vec2& d, double time) {
 RayState state_of(const Scene& scene, std::uint32_t number, const Vec2& direction, double time,
                   const std::vector<GroupPose>& groups) {
   const RayPath& ray = scene.rays[number];
-  const Placed now = placed(scene, ray.at, ray.angle, ray.motion, time);
+  const Placed now = placed(scene, ray, time);
   const Ray own = in_fan(scene, ray, direction, time);
   const double turned = now.angle + ray.angular_velocity * time;
   const Vec2 start = pose(held(now.at + ray.velocity * time), turned)(own.origin);
@@ -40,7 +35,7 @@ RayState state_of(const Scene& scene, std::uint32_t number, const Vec2& directio
           {at, pose({0, 0}, angle).turned(own.direction)},
           scale,
           stroke,
-          plus(scene, ray.opacity, ray.opacity_curve, time)};
+          plus(scene, ray.opacity, time)};
 }
 
 }  // namespace
@@ -50,7 +45,7 @@ std::vector<RayState> ray_states(const Scene& scene, double time) {
   if (scene.rays.empty()) return states;
   const std::vector<GroupPose> groups = group_poses(scene, time);
   for (std::uint32_t i = 0; i < scene.rays.size(); ++i) {
-    const Vec2 direction = direction_of(scene, scene.rays[i], time);
+    const Vec2 direction = plus(scene, scene.rays[i].direction, time);
     if (direction == Vec2(0, 0)) continue;
     states.push_back(state_of(scene, i, direction, time, groups));
   }
@@ -66,8 +61,7 @@ std::vector<RayState> ray_states(const Scene& scene, const FrameState& state) {
 
 bool moves(const RayPath& ray) {
   const bool fan_moves = ray.fan && (ray.fan->spread.curve || ray.fan->width.curve);
-  return ray.motion.any() || ray.direction_x || ray.direction_y || fan_moves ||
-         !ray.velocity.isZero(0) || ray.angular_velocity != 0 || ray.opacity_curve ||
+  return ray.moves() || ray.direction.x || ray.direction.y || fan_moves || ray.opacity.curve ||
          ray.stroke.width_curve || ray.stroke.colour.curve != kNoEntry;
 }
 

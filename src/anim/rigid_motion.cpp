@@ -74,17 +74,15 @@ void add_follow(const Scene& scene, const Follow& follow, double from, double to
   level.angles += 4;
 }
 
-// Of an entity or a group; in the order in which frames add it up.
-template <class Thing>
-Level level_of(const Scene& scene, const Thing& thing, double from, double to) {
+// In the order in which frames add it up.
+Level level_of(const Scene& scene, const Movable& thing, double from, double to) {
   const Motion& motion = thing.motion;
   const Cubic<double> x = curve_part(scene, motion.x, from, to),
                       y = curve_part(scene, motion.y, from, to),
                       angle = curve_part(scene, motion.angle, from, to);
   Level level{linear(thing.at, {0, 0}), linear(thing.angle, 0) + angle, 0, 0};
   for (std::size_t i = 0; i < 4; ++i) level.at.c[i] += Vec2(x.c[i], y.c[i]);
-  level.sizes =
-      thing.at.template lpNorm<1>() + 8 * (largest(scene, motion.x) + largest(scene, motion.y));
+  level.sizes = thing.at.lpNorm<1>() + 8 * (largest(scene, motion.x) + largest(scene, motion.y));
   level.angles = std::fabs(thing.angle) + 8 * largest(scene, motion.angle) +
                  std::fabs(thing.angular_velocity) * (std::fabs(from) + std::fabs(to));
   if (motion.follow) add_follow(scene, *motion.follow, from, to, level);
@@ -151,7 +149,7 @@ Carried TrueMotion::between(std::uint32_t entity, std::optional<std::uint32_t> t
     Level level = level_of(scene, group, from, to);
     add_way(level, from * group.velocity, (to - from) * group.velocity);
     carry(carried, level);
-    carried.scale *= group.scale;
+    carried.scale *= group.scale.value;
   }
   const Entity& thing = scene.entities[entity];
   Level level = level_of(scene, thing, from, to);

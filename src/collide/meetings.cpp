@@ -207,7 +207,7 @@ std::vector<Meeting> in_order(const std::map<IndexPair, std::vector<MeetingPart>
 
 bool changes_size(const Scene& scene, std::uint32_t entity) {
   return any_look(scene, entity, [](const Shape& shape) { return shape.changes != kNoEntry; }) ||
-         any_group(scene, entity, [](const Group& group) { return bool(group.scale_curve); });
+         any_group(scene, entity, [](const Group& group) { return bool(group.scale.curve); });
 }
 
 std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline) {

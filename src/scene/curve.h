@@ -38,6 +38,10 @@ inline double plus(const Scene& scene, const Moving& number, double time) {
   return plus(scene, number.value, number.curve, time);
 }
 
+inline Vec2 plus(const Scene& scene, const MovingPoint& point, double time) {
+  return {plus(scene, point.value.x(), point.x, time), plus(scene, point.value.y(), point.y, time)};
+}
+
 /// Point of a path after `length` from its beginning, and the direction it goes on in (an edge of
 /// the path, of its length). An open path stands at its ends, a closed one goes round.
 struct PathPoint {

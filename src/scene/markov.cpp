@@ -68,7 +68,7 @@ struct ChainReader {
         lower.members.push_back(member);
       }
     }
-    read_keys<ChainSettings>(builder, lower, "markov." + chain.name, kChainKeys, settings);
+    read_keys(builder, lower, "markov." + chain.name, kChainKeys, settings);
   }
 
   std::optional<Rational> probability(const Field& field) {

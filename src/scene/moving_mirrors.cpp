@@ -18,9 +18,8 @@ bool has_ease(const Scene& scene, const Motion& motion, Curve::Ease ease) {
   });
 }
 
-// Of an entity or a group; "" where it moves straight from key to key.
-template <class Thing>
-const char* why_not_straight(const Scene& scene, const Thing& thing) {
+// "" where it moves straight from key to key.
+const char* why_not_straight(const Scene& scene, const Movable& thing) {
   if (thing.angular_velocity != 0 || thing.motion.angle) return "turns";
   if (thing.motion.follow) return "follows a path";
   if (has_ease(scene, thing.motion, Curve::Ease::smooth)) return "follows a smooth curve";
@@ -43,7 +42,7 @@ std::string why_not(const Scene& scene, const Entity& entity) {
     const Group& group = scene.groups[*at];
     if (const std::string why = why_not_straight(scene, group); !why.empty())
       return fmt::format("is in a group that {}", why);
-    if (group.scale_curve) return "is in a group that changes its size";
+    if (group.scale.curve) return "is in a group that changes its size";
   }
   return {};
 }

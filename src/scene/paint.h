@@ -26,6 +26,12 @@ struct Moving {
   std::optional<CurveId> curve;
 };
 
+/// A point that may be a curve, or have curves as coordinates: added to where `value` leaves them.
+struct MovingPoint {
+  Vec2 value{0, 0};
+  std::optional<CurveId> x, y;
+};
+
 /// Colours along a line or round a point, interpolated as premultiplied linear light; beyond the
 /// first and the last they go on. In the coordinates of what is painted.
 struct Gradient {

@@ -60,10 +60,7 @@ bool has_parts_left_out(const Shape& shape, bool but_ellipses) {
          });
 }
 
-bool moves(const Group& group) {
-  return group.motion.any() || !group.velocity.isZero(0) || group.angular_velocity != 0 ||
-         group.scale_curve;
-}
+bool moves(const Group& group) { return group.moves() || group.scale.curve; }
 
 bool stands_still(const Scene& scene, std::optional<std::uint32_t> group) {
   for (; group; group = scene.groups[*group].group)

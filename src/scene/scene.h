@@ -135,19 +135,26 @@ struct Motion {
   bool any() const { return x || y || angle || follow; }
 };
 
-/// Things that move together. A copy of a group is a group of its own.
-struct Group {
+/// What stands somewhere, and how it moves.
+struct Movable {
   std::string name;
-  std::optional<std::uint32_t> group;  ///< the group it stands in, of a lower number
-  Vec2 at{0, 0};                       ///< of its origin, in the group it stands in
-  double angle = 0;                    ///< radians; what is in it turns about its origin
-  double scale = 1;                    ///< > 0; what is in it grows about its origin
-  std::optional<CurveId> scale_curve;  ///< instead of `scale`: >= 0
-  Vec2 velocity{0, 0};
-  double angular_velocity = 0;
+  std::optional<std::uint32_t> group;  ///< index into Scene::groups: what `at` is seen from
+  Vec2 at{0, 0};
+  double angle = 0;             ///< radians, counter-clockwise
+  Vec2 velocity{0, 0};          ///< world units a second
+  double angular_velocity = 0;  ///< radians a second
   Motion motion;
-  int layer = 0;  ///< added to those of what is in it; the sum over the groups it stands in
   Place where;
+
+  /// Whether it moves in its group.
+  bool moves() const { return motion.any() || !velocity.isZero(0) || angular_velocity != 0; }
+};
+
+/// Things that move together. A copy of a group is a group of its own. It stands in one of a lower
+/// number; what is in it turns about its origin.
+struct Group : Movable {
+  Moving scale{1, {}};  ///< > 0, a curve >= 0; what is in it grows about its origin
+  int layer = 0;        ///< added to those of what is in it; the sum over the groups it stands in
 };
 
 /// What an entity does when it meets another.
@@ -160,20 +167,12 @@ enum class Response : std::uint8_t {
   remove   ///< vanishes; to the other it is a wall
 };
 
-struct Entity {
-  std::string name;
+struct Entity : Movable {
   ShapeId shape = 0;
-  std::optional<std::uint32_t> group;  ///< index into Scene::groups: what `at` is seen from
-  Vec2 at{0, 0};
-  double angle = 0;             ///< radians, counter-clockwise
-  Vec2 velocity{0, 0};          ///< world units a second
-  double angular_velocity = 0;  ///< radians a second
-  Motion motion;
   std::optional<Paint> fill;
   std::optional<Stroke> stroke;
-  double opacity = 1;                    ///< of fill and stroke together
-  std::optional<CurveId> opacity_curve;  ///< instead of it
-  std::optional<Stroke> bounding_box;    ///< drawn when set
+  Moving opacity{1, {}};               ///< of fill and stroke together
+  std::optional<Stroke> bounding_box;  ///< drawn when set
   int layer = 0;
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
   ScattererId scatterer = kNoEntry;  ///< what it does with light; none: what `material` says
@@ -183,8 +182,7 @@ struct Entity {
   std::optional<MarkovUse> markov;
   std::optional<Response> response;  ///< unset: that of Scene::collisions
   std::optional<double> mass;        ///< infinite: nothing moves it; unset: its area
-  Place where;
-  std::uint64_t order = 0;  ///< of drawing within a layer
+  std::uint64_t order = 0;           ///< of drawing within a layer
 };
 
 /// A room, convex or simple, with pillars in it: rays bounce inside.
@@ -222,16 +220,9 @@ struct Chamber {
 };
 
 /// An orbit to trace and draw: starts at `at`, reflected by mirrors, ended by what absorbs.
-struct RayPath {
-  std::string name;
-  std::optional<std::uint32_t> group;  ///< index into Scene::groups: what `at` is seen from
-  Vec2 at{0, 0}, direction{1, 0};
-  std::optional<CurveId> direction_x, direction_y;  ///< added to `direction`
-  double angle = 0;                                 ///< radians, by which it is turned
-  Vec2 velocity{0, 0};                              ///< of where it starts
-  double angular_velocity = 0;
-  Motion motion;
-  unsigned bounces = 0;  ///< after which it flies once more
+struct RayPath : Movable {
+  MovingPoint direction{{1, 0}, {}, {}};  ///< turned by its angle
+  unsigned bounces = 0;                   ///< after which it flies once more
   /// With which it sets off, in frame 1; world units a second. It meets mirrors where they are when
   /// it comes there, and its way up to the frame is drawn. Unset: the mirrors of each frame stand
   /// still.
@@ -255,29 +246,19 @@ struct RayPath {
     double place = 0;  ///< of this one among them, from -1/2 to 1/2
   };
   std::optional<Fan> fan;
-  std::string written_name;              ///< of the fan it is one of; else its own
-  double opacity = 1;                    ///< of the line and its marks together
-  std::optional<CurveId> opacity_curve;  ///< instead of it
+  std::string written_name;  ///< of the fan it is one of; else its own
+  Moving opacity{1, {}};     ///< of the line and its marks together
   int layer = 0;
-  Place where;
   std::uint64_t order = 0;
 };
 
 struct LampType;
 
 /// What sends out light, `power` a second in all directions together, per unit of depth.
-struct Lamp : LampLight {
-  std::string name;
+struct Lamp : Movable, LampLight {
   const LampType* type = nullptr;  ///< how its rays set off
   KeptArguments source;            ///< of the type
-  std::optional<std::uint32_t> group;
-  Vec2 at{0, 0};
-  double angle = 0;  ///< radians
-  Vec2 velocity{0, 0};
-  double angular_velocity = 0;
-  Motion motion;
   std::optional<MarkovUse> markov;
-  Place where;
 };
 
 enum class LightSampler : std::uint8_t {
@@ -346,11 +327,11 @@ struct Collisions {
 enum class CameraMotion { frame_origin, objects };
 
 struct Camera {
-  std::optional<Vec2> at;  ///< world position of the window's centre; unset: film.world or content
-  std::optional<CurveId> x_curve, y_curve;  ///< added to it
-  std::optional<Moving> height;             ///< world units the picture is high
-  Moving zoom{1, {}};                       ///< how many times larger than that things are shown
-  std::optional<std::uint32_t> follow;      ///< entity kept at the window's centre plus `offset`
+  /// World position of the window's centre; unset: film.world or content.
+  std::optional<MovingPoint> at;
+  std::optional<Moving> height;         ///< world units the picture is high
+  Moving zoom{1, {}};                   ///< how many times larger than that things are shown
+  std::optional<std::uint32_t> follow;  ///< entity kept at the window's centre plus `offset`
   Vec2 offset{0, 0};
   Vec2 velocity{0, 0};  ///< of the window's origin, world units a second
   CameraMotion motion = CameraMotion::frame_origin;

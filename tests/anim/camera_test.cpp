@@ -37,7 +37,7 @@ TEST(Camera, AWindowThatFitsKeepsItsBits) {
 
 TEST(Camera, HeightAndPlaceOfTheCameraComeFirst) {
   Scene scene = small_scene();
-  scene.camera.at = Vec2(100, 50);
+  scene.camera.at = MovingPoint{{100, 50}, {}, {}};
   expect_window(window(scene), {90, 45}, {110, 55});
   scene.camera.height = {4, {}};
   expect_window(window(scene), {96, 48}, {104, 52});

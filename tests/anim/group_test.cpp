@@ -86,10 +86,10 @@ TEST(Groups, ScaleWhatTheyHoldAboutTheirOrigin) {
   scene.film.world.reset();
   Group outer, inner;
   outer.at = {10, 0};
-  outer.scale = 2;
+  outer.scale.value = 2;
   inner.at = {1, 4};
   inner.velocity = {0, 1};
-  inner.scale = 1.5;
+  inner.scale.value = 1.5;
   inner.group = add_group(scene, outer);
   scene.entities[add_box(scene, {1, 2}, {1, 0})].group = add_group(scene, inner);
   scene.shapes[0].circles.push_back({{1, 1}, 0.5});
@@ -110,8 +110,7 @@ TEST(Groups, ScalesMayBeCurves) {
   scene.curves = {{Curve::Ease::linear, {0, 2, 3}, {1, 3, 0}}};
   Group group;
   group.at = {10, 5};
-  group.scale = 0;
-  group.scale_curve = 0;
+  group.scale = {0, 0};
   Entity& box = scene.entities[add_box(scene, {1, 2})];
   box.group = add_group(scene, group);
   box.stroke = Stroke{0.5, false, {}};
@@ -132,7 +131,7 @@ TEST(Groups, ScalesBeyondAllMeasureStayFinite) {
     scene.groups.clear();
     scene.entities.clear();
     Group outer, inner;
-    outer.scale = inner.scale = scale;
+    outer.scale.value = inner.scale.value = scale;
     inner.group = add_group(scene, outer);
     scene.entities[add_box(scene, {3, 4})].group = add_group(scene, inner);
     const Pose pose = entity_pose(at(Timeline(scene, 0, 1), 1), 0);

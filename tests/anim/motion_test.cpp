@@ -78,8 +78,7 @@ TEST(Camera, CurvesPanAndZoom) {
   Scene scene = small_scene();
   scene.frames = 3;
   scene.curves = {{Ease::linear, {0, 2}, {0, 8}}, {Ease::linear, {0, 2}, {10, 30}}};
-  scene.camera.at = Vec2(1, 5);
-  scene.camera.x_curve = 0;
+  scene.camera.at = MovingPoint{{1, 5}, 0, {}};
   scene.camera.height = {0, 1};
   const Timeline timeline(scene, 0, 3);
   EXPECT_EQ(at(timeline, 1).window.size(), Vec2(20, 10));

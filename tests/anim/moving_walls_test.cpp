@@ -32,7 +32,7 @@ TEST(MovingWalls, KeysAndGroupsMakeLegs) {
   scene.curves = {{Curve::Ease::linear, {-1, 2}, {0, 3}}, {Curve::Ease::linear, {1, 4}, {0, 6}}};
   Group group;
   group.at = {10, 0};
-  group.scale = 2;
+  group.scale.value = 2;
   group.motion.y = 1;
   scene.groups.push_back(group);
   Entity& box = scene.entities[add_box(scene, {0, 0}, {0, 0.5})];

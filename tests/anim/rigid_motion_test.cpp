@@ -27,7 +27,7 @@ Scene carried_box() {
   outer.angular_velocity = 1.25;
   outer.velocity = {0.5, -0.25};
   outer.at = {10, 20};
-  outer.scale = 1.5;
+  outer.scale.value = 1.5;
   middle.group = 0;
   middle.angle = 0.5;  // stands still, but for its path
   middle.motion.follow = Follow{0, 12, 1.7, 2, true};

@@ -83,7 +83,7 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
   builder.scene.seed = seed.value_or(0);
   builder.scene.max_corners = limits.max_corners;
   builder.text_order = TextOrder(desc);
-  read_keys<Scene>(builder, desc.root, "scene", kSceneKeys, builder.scene);
+  read_keys(builder, desc.root, "scene", kSceneKeys, builder.scene);
   const Member* film = desc.root.find("film");
   if (!builder.scene.lamps.empty() && (film == nullptr || !film->value.find("background")))
     builder.scene.film.background = {0, 0, 0, 255};

@@ -28,7 +28,7 @@ void read_pillars(Builder& builder, const Field& field, Chamber& chamber) {
   each_table(builder, field, [&](const Value& table) {
     Pillar pillar;
     pillar.where = table.where;
-    read_keys<Pillar>(builder, table, "pillar", kPillarKeys, pillar);
+    read_keys(builder, table, "pillar", kPillarKeys, pillar);
     if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
       pillar.fill = default_fill(builder.scene, pillar.scatterer, kPillarColour);
     chamber.pillars.push_back(std::move(pillar));
@@ -46,7 +46,7 @@ void read_holes(Builder& builder, const Field& field, Chamber& chamber) {
   each_table(builder, field, [&](const Value& table) {
     Hole hole;
     hole.where = table.where;
-    read_keys<Hole>(builder, table, "hole", kHoleKeys, hole);
+    read_keys(builder, table, "hole", kHoleKeys, hole);
     const auto is_taken = [&] {
       return std::ranges::any_of(chamber.holes, [&](const Hole& h) { return h.name == hole.name; });
     };
@@ -108,7 +108,7 @@ void read_chamber(Builder& builder, const Value& table) {
   chamber.where = table.where;
   chamber.order = draw_order(builder, table.where);
   const std::size_t problems = builder.in.problems.size();
-  read_keys<Chamber>(builder, table, "chamber", kChamberKeys, chamber);
+  read_keys(builder, table, "chamber", kChamberKeys, chamber);
   if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
     chamber.stroke = kDefaultStroke;
   const Member* shape = table.find("shape");

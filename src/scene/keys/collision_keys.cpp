@@ -42,7 +42,7 @@ void read_collisions(Builder& builder, const Field& field, Scene& scene) {
   Collisions collisions;
   collisions.where = field.value.where;
   collisions.order = draw_order(builder, field.value.where);
-  read_keys<Collisions>(builder, field.value, "collisions", kCollisionKeys, collisions);
+  read_keys(builder, field.value, "collisions", kCollisionKeys, collisions);
   scene.collisions = collisions;
 }
 

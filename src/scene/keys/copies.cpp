@@ -15,9 +15,8 @@ std::optional<std::vector<std::uint32_t>> copies_of_group(Builder& builder, cons
   if (!name) return std::nullopt;
   if (const auto found = builder.groups.find(*name); found != builder.groups.end())
     return found->second.empty() ? std::nullopt : std::optional(found->second);
-  std::vector<std::string> known;
-  for (const auto& [group, copies] : builder.groups) known.push_back(group);
-  return builder.in.refuse(unknown_word(field.value.where, "group", *name, known));
+  return builder.in.refuse(
+      unknown_word(field.value.where, "group", *name, names_of(builder.groups)));
 }
 
 }  // namespace

@@ -41,14 +41,14 @@ void make_copies(Builder& builder, const Value& table, const CopiedTable& what,
   T first;
   first.where = table.where;
   const T blank = first;
-  read_keys<T>(builder, table, what.name, keys, first);
+  read_keys(builder, table, what.name, keys, first);
   const std::size_t problems = in.problems.size();
   std::size_t warnings = in.warnings.size();  // with those of the first copy
   const std::uint64_t total = problems == before && !builder.full ? copies.total : 1;
   for (std::uint64_t i = 0; i < total && in.problems.size() == problems; ++i) {
     draws.set_copy(i);
     T thing = draws.empty() || i == 0 ? first : blank;
-    if (!draws.empty() && i > 0) read_again<T>(builder, table, what.name, keys, thing);
+    if (!draws.empty() && i > 0) read_again(builder, table, what.name, keys, thing);
     if (!copies.groups.empty()) thing.group = copies.groups[i / copies.each];
     if (copies.repeat) {
       const Copy copy = copy_of(*copies.repeat, i % copies.each, draws);

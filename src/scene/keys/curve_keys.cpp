@@ -49,12 +49,12 @@ class CurveReader {
   std::optional<std::vector<Curve>> read() {
     const std::size_t problems = builder_.in.problems.size();
     CurveWords words;
-    read_keys<CurveWords>(builder_, field_.value, "curve", kCurveKeys, words);
+    read_keys(builder_, field_.value, "curve", kCurveKeys, words);
     if (words.keys == nullptr) return std::nullopt;
     const Field keys{field_.name + ".keys", *words.keys, what_.takes};
     if (!builder_.in.is(keys, Value::Kind::array, "a list of keys")) return std::nullopt;
     if (keys.value.items.empty())
-      builder_.in.problem(keys.value.where, keys.name + " is empty", "write at least one [t, v]");
+      builder_.in.problem(keys, "is empty", "write at least one [t, v]");
     curves_.assign(what_.numbers, {words.ease, {}, {}});
     for (std::size_t i = 0; i < keys.value.items.size(); ++i) add(keys.item(i));
     if (builder_.in.problems.size() > problems) return std::nullopt;
@@ -102,16 +102,15 @@ class CurveReader {
     const std::vector<double>& times = curves_.front().times;
     const std::size_t last = times.size() - 1;
     if (std::abs(times[last]) > kFarthest || std::abs(curves_.front().values[last]) > kFarthest)
-      return builder_.in.problem(key.value.where, key.name + " lies beyond 1e300",
+      return builder_.in.problem(key, "lies beyond 1e300",
                                  "write numbers between -1e300 and 1e300");
     if (last == 0) return;
     if (!(times[last] > times[last - 1]))
-      return builder_.in.problem(key.value.where, key.name + " is not later than the key before it",
+      return builder_.in.problem(key, "is not later than the key before it",
                                  "write the keys in the order of their times, in seconds");
     for (const Curve& curve : curves_)
       if (too_steep(curve, last))
-        return builder_.in.problem(key.value.where, key.name + " is too near to the key before it",
-                                   "part their times");
+        return builder_.in.problem(key, "is too near to the key before it", "part their times");
   }
 
   Builder& builder_;
@@ -180,8 +179,7 @@ std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& fiel
   if (!x || !y) return std::nullopt;
   const Vec2 value(x->value, y->value);
   if (value.cwiseAbs().maxCoeff() <= kFarthest) return MovingPoint{value, x->curve, y->curve};
-  return builder.in.refuse({field.value.where, field.name + " lies beyond 1e300",
-                            "write numbers between -1e300 and 1e300"});
+  return builder.in.refuse(field, "lies beyond 1e300", "write numbers between -1e300 and 1e300");
 }
 
 std::optional<Paint> read_moving_colour(Builder& builder, const Field& field) {

@@ -15,11 +15,6 @@ double highest(const Scene& scene, const Moving& number);
 /// Whether it is never below `low` and never above `high`.
 bool lies_between(const Scene& scene, const Moving& number, double low, double high);
 
-/// A point that may be a curve, or have curves as coordinates: added to where `at` leaves them.
-struct MovingPoint {
-  Vec2 value{0, 0};
-  std::optional<CurveId> x, y;
-};
 std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& field,
                                              bool may_be_curve = true);
 

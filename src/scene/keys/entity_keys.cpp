@@ -28,17 +28,18 @@ constexpr const char* kChangingFill =
 
 constexpr Key<Look> kLookKeys[] = {
     kNameKey<Look>,
-    {{"shape", "{ KIND = { ... } }", "the entity's"}, &read_changing<Look, &set_shape<Look>>},
-    {{"fill", kChangingFill, "the entity's"}, &read_changing<Look, &read_look_fill>},
+    {{"shape", "{ KIND = { ... } }", "the entity's"}, &set_shape<Look>, true},
+    {{"fill", kChangingFill, "the entity's"}, &read_look_fill, true},
     {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")", "the entity's"},
-     &read_changing<Look, &read_look_stroke>},
+     &read_look_stroke,
+     true},
     {{"velocity", "[vx, vy]", "the entity's"}, &set<&Look::velocity>},
 };
 
 void read_states(Builder& builder, const Field& field, Entity& entity) {
   const auto read_look = [&](const Value& table, const std::string& name) {
     Look look;
-    read_keys<Look>(builder, table, name, kLookKeys, look);
+    read_keys(builder, table, name, kLookKeys, look);
     return look;
   };
   read_looks(builder, field, entity.markov, read_look);
@@ -54,8 +55,7 @@ void read_alternatives(Builder& builder, const Field& field, Entity& entity) {
   if (!builder.in.is(field, Value::Kind::array, "a list of shapes")) return;
   constexpr std::size_t kMostAlternatives = 1023;
   if (field.value.items.size() > kMostAlternatives)
-    return builder.in.problem(field.value.where, field.name + " holds more than 1023 shapes",
-                              "write fewer");
+    return builder.in.problem(field, "holds more than 1023 shapes", "write fewer");
   for (std::size_t i = 0; i < field.value.items.size(); ++i)
     if (const auto shape = read_shape(builder, field.item(i)))
       entity.alternatives.push_back(*shape);
@@ -74,18 +74,20 @@ void check_alternatives(Builder& builder, const Entity& entity, const Value& tab
 
 constexpr Key<Entity> kEntityKeys[] = {
     kNameKey<Entity>,
-    {kShapeKey<Entity>.info, &read_changing<Entity, &set_shape<Entity>>},
+    {kShapeKey<Entity>.info, &set_shape<Entity>, true},
     kGroupKey<Entity>,
     kMovingAtKey<Entity>,
     kMovingAngleKey<Entity>,
-    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Entity::velocity>},
-    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Entity::angular_velocity>},
+    kVelocityKey<Entity>,
+    kAngularVelocityKey<Entity>,
     {{"fill", kChangingFill,
       "\"#333333\", of glass \"#ffffff18\", without a stroke, else \"none\""},
-     &read_changing<Entity, &set_fill<Entity>>},
+     &set_fill<Entity>,
+     true},
     {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")",
       "\"none\"; a segment without fill and stroke has one"},
-     &read_changing<Entity, &set_stroke<&Entity::stroke>>},
+     &set_stroke<&Entity::stroke>,
+     true},
     {{"bounding_box", R"({ width = w, colour = "#rrggbb" } or "none")", "\"none\""},
      &set_stroke<&Entity::bounding_box>},
     kMovingOpacityKey<Entity>,

@@ -24,8 +24,7 @@ void read_size(Builder& builder, const Field& field, Film& film) {
       static_cast<std::uint64_t>(*width) * static_cast<std::uint64_t>(*height);
   if (pixels > builder.limits.max_pixels)
     return builder.in.problem(
-        field.value.where,
-        fmt::format("{} {} x {} is {} pixels", field.name, *width, *height, pixels),
+        field, fmt::format("{} x {} is {} pixels", *width, *height, pixels),
         fmt::format("the limit is {}; --max-pixels raises it", builder.limits.max_pixels));
   film.width = static_cast<int>(*width);
   film.height = static_cast<int>(*height);
@@ -40,8 +39,7 @@ void read_world(Builder& builder, const Field& field, Film& film) {
     film.world = world;
     const Vec2 size = world->size();
     if (!std::isfinite(std::min(film.width / size.x(), film.height / size.y())))
-      builder.in.problem(field.value.where,
-                         field.name + " is so small that a unit has no number of pixels",
+      builder.in.problem(field, "is so small that a unit has no number of pixels",
                          "write a window of 1e-300 or more");
   }
 }
@@ -57,18 +55,14 @@ constexpr Key<Film> kFilmKeys[] = {
 };
 
 void read_camera_at(Builder& builder, const Field& field, Camera& camera) {
-  const auto at = read_moving_point(builder, field);
-  if (!at) return;
-  camera.at = at->value;
-  camera.x_curve = at->x;
-  camera.y_curve = at->y;
+  camera.at = read_moving_point(builder, field);
 }
 
 std::optional<Moving> read_above_zero(Builder& builder, const Field& field, const char* hint) {
   const auto number = read_moving(builder, field);
   if (!number) return std::nullopt;
   if (lowest(builder.scene, *number) > 0) return number;
-  return builder.in.refuse({field.value.where, field.name + " is not above 0", hint});
+  return builder.in.refuse(field, "is not above 0", hint);
 }
 
 void read_height(Builder& builder, const Field& field, Camera& camera) {
@@ -94,12 +88,12 @@ constexpr Key<Camera> kCameraKeys[] = {
 }  // namespace
 
 void read_film(Builder& builder, const Field& field, Scene& scene) {
-  read_keys<Film>(builder, field.value, "film", kFilmKeys, scene.film);
+  read_keys(builder, field.value, "film", kFilmKeys, scene.film);
 }
 
 void read_camera(Builder& builder, const Field& field, Scene& scene) {
   Camera& camera = scene.camera;
-  read_keys<Camera>(builder, field.value, "camera", kCameraKeys, camera);
+  read_keys(builder, field.value, "camera", kCameraKeys, camera);
   if (camera.follow && camera.at)
     builder.in.problem(field.value.where, "follow and at both say where the camera looks",
                        "leave at out: offset moves it beside what it follows");

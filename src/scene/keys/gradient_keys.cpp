@@ -15,37 +15,34 @@ std::optional<Gradient::Stop> read_stop(Builder& builder, const Field& field, do
     return colour ? std::optional(Gradient::Stop{evenly, *colour}) : std::nullopt;
   }
   if (field.value.items.size() != 2)
-    return builder.in.refuse({field.value.where, field.name + " is not a place and a colour",
-                              "write [0.25, \"#rrggbb\"]"});
+    return builder.in.refuse(field, "is not a place and a colour", "write [0.25, \"#rrggbb\"]");
   const auto at = builder.in.number(field.item(0));
   const auto colour = builder.in.colour(field.item(1));
   if (!at || !colour) return std::nullopt;
   if (*at >= 0 && *at <= 1) return Gradient::Stop{*at, *colour};
-  return builder.in.refuse({field.value.items[0].where,
-                            field.item(0).name + " does not lie between 0 and 1",
-                            "0 is the beginning of the gradient, 1 its end"});
+  return builder.in.refuse(field.item(0), "does not lie between 0 and 1",
+                           "0 is the beginning of the gradient, 1 its end");
 }
 
-void read_stops(Builder& builder, const Field& field, Gradient& gradient) {
+template <class Words>
+void read_stops(Builder& builder, const Field& field, Words& gradient) {
   if (!builder.in.is(field, Value::Kind::array, "a list of colours")) return;
   const std::vector<Value>& items = field.value.items;
   if (items.size() < 2 || items.size() > kMostStops)
-    return builder.in.problem(field.value.where,
-                              fmt::format("{} has {}", field.name, counted(items.size(), "colour")),
+    return builder.in.problem(field, fmt::format("has {}", counted(items.size(), "colour")),
                               fmt::format("write from 2 to {}", kMostStops));
   for (std::size_t i = 0; i < items.size(); ++i) {
     const double evenly = static_cast<double>(i) / static_cast<double>(items.size() - 1);
     const auto stop = read_stop(builder, field.item(i), evenly);
     if (!stop) continue;
     if (!gradient.stops.empty() && stop->at < gradient.stops.back().at)
-      builder.in.problem(items[i].where, field.item(i).name + " comes before the one it follows",
+      builder.in.problem(field.item(i), "comes before the one it follows",
                          "write the colours in the order of their places");
     gradient.stops.push_back(*stop);
   }
 }
 
-struct RadialWords {
-  Gradient gradient;
+struct RadialWords : Gradient {
   Vec2 centre{0, 0};
   double radius = 0;
 };
@@ -54,40 +51,34 @@ constexpr NumberRule kRadiusRule{[](double radius) { return radius > 0 && radius
                                  "is not above 0",
                                  "the last colour lies on a circle of this radius"};
 
-void read_radial_stops(Builder& builder, const Field& field, RadialWords& words) {
-  read_stops(builder, field, words.gradient);
-}
-
 constexpr const char* kStopsTake = R"(["#rrggbb", ...] or [[at, "#rrggbb"], ...])";
 
 constexpr Key<Gradient> kLinearKeys[] = {
     {{"from", "[x, y]", kRequired}, &set<&Gradient::from>},
     {{"to", "[x, y]", kRequired}, &set<&Gradient::to>},
-    {{"stops", kStopsTake, kRequired}, &read_stops},
+    {{"stops", kStopsTake, kRequired}, &read_stops<Gradient>},
 };
 constexpr Key<RadialWords> kRadialKeys[] = {
     {{"centre", "[x, y]", "[0, 0]"}, &set<&RadialWords::centre>},
     {{"radius", "number", kRequired}, &set_number<&RadialWords::radius, kRadiusRule>},
-    {{"stops", kStopsTake, kRequired}, &read_radial_stops},
+    {{"stops", kStopsTake, kRequired}, &read_stops<RadialWords>},
 };
 
-Gradient read_linear(Builder& builder, const Value& table) {
+std::optional<Gradient> read_linear(Builder& builder, const Value& table) {
   Gradient gradient;
-  const std::size_t problems = builder.in.problems.size();
-  read_keys<Gradient>(builder, table, "linear", kLinearKeys, gradient);
-  if (builder.in.problems.size() == problems && gradient.from == gradient.to)
-    builder.in.problem(table.where, "the gradient has no length",
-                       "write where its first and its last colour are");
-  return gradient;
+  if (!read_keys(builder, table, "linear", kLinearKeys, gradient)) return std::nullopt;
+  if (gradient.from != gradient.to) return gradient;
+  return builder.in.refuse(
+      {table.where, "the gradient has no length", "write where its first and its last colour are"});
 }
 
-Gradient read_radial(Builder& builder, const Value& table) {
+std::optional<Gradient> read_radial(Builder& builder, const Value& table) {
   RadialWords words;
-  read_keys<RadialWords>(builder, table, "radial", kRadialKeys, words);
-  words.gradient.radial = true;
-  words.gradient.from = words.centre;
-  words.gradient.to = words.centre + Vec2(words.radius, 0);
-  return std::move(words.gradient);
+  if (!read_keys(builder, table, "radial", kRadialKeys, words)) return std::nullopt;
+  words.radial = true;
+  words.from = words.centre;
+  words.to = words.centre + Vec2(words.radius, 0);
+  return words;
 }
 
 }  // namespace
@@ -96,13 +87,12 @@ std::optional<Paint> read_paint(Builder& builder, const Field& field) {
   const bool is_table = field.value.kind == Value::Kind::table && field.value.members.size() == 1;
   const std::string kind = is_table ? field.value.members.front().key : "";
   if (kind != "linear" && kind != "radial") return read_moving_colour(builder, field);
-  const std::size_t problems = builder.in.problems.size();
   const Value& table = field.value.members.front().value;
-  Gradient gradient = kind == "linear" ? read_linear(builder, table) : read_radial(builder, table);
-  if (builder.in.problems.size() > problems) return std::nullopt;
-  if (!take_corners(builder, gradient.stops.size(), field.value.where)) return std::nullopt;
-  const Colour first = gradient.stops.front().colour;
-  builder.scene.gradients.push_back(std::move(gradient));
+  auto gradient = kind == "linear" ? read_linear(builder, table) : read_radial(builder, table);
+  if (!gradient || !take_corners(builder, gradient->stops.size(), field.value.where))
+    return std::nullopt;
+  const Colour first = gradient->stops.front().colour;
+  builder.scene.gradients.push_back(*std::move(gradient));
   return Paint(first, static_cast<std::uint32_t>(builder.scene.gradients.size() - 1));
 }
 

@@ -15,23 +15,22 @@ void read_scale(Builder& builder, const Field& field, Group& group) {
   const std::optional<Moving> scale = read_moving(builder, field);
   if (!scale) return;
   if (scale->curve && lowest(builder.scene.curves[*scale->curve]) < 0)
-    return builder.in.problem(field.value.where, field.name + " goes below 0",
+    return builder.in.problem(field, "goes below 0",
                               "end the curve at 0: what is in the group is a point then");
   if (!scale->curve && !(scale->value > 0 && scale->value <= kFarthest))
-    return builder.in.problem(field.value.where, field.name + " is not above 0 and at most 1e300",
+    return builder.in.problem(field, "is not above 0 and at most 1e300",
                               "write how many times larger what is in it is, 0.5 for half");
-  group.scale = scale->value;
-  group.scale_curve = scale->curve;
+  group.scale = *scale;
 }
 
 constexpr Key<Group> kGroupKeys[] = {
-    {{"name", "\"NAME\"", kRequired}, &set<&Group::name>},
+    {{"name", "\"NAME\"", kRequired}, &set<&Group::name, Group>},
     kGroupKey<Group>,
     kMovingAtKey<Group>,
     kMovingAngleKey<Group>,
     {{"scale", "number or a curve", "1"}, &read_scale},
-    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Group::velocity>},
-    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Group::angular_velocity>},
+    kVelocityKey<Group>,
+    kAngularVelocityKey<Group>,
     kLayerKey<Group>,
     kFollowKey<Group>,
     kRepeatKey<Group>,
@@ -137,12 +136,9 @@ class Nesting {
 
 // How many times larger what is in a group is, by all it stands in; of curves the largest.
 double whole_scale(const Scene& scene, const Group& group) {
-  const auto own = [&](const Group& one) {
-    return one.scale_curve ? highest(scene.curves[*one.scale_curve]) : one.scale;
-  };
-  double scale = own(group);
+  double scale = highest(scene, group.scale);
   for (auto outer = group.group; outer; outer = scene.groups[*outer].group)
-    scale *= own(scene.groups[*outer]);
+    scale *= highest(scene, scene.groups[*outer].scale);
   return scale;
 }
 
@@ -155,7 +151,7 @@ void read_group(Builder& builder, const Value& table, std::uint32_t number) {
     const double scale = whole_scale(scene, group);
     if (const Member* own = table.find("scale");
         own != nullptr && !too_far &&
-        !((scale >= 1 / kFarthest || group.scale_curve) && scale <= kFarthest)) {
+        !((scale >= 1 / kFarthest || group.scale.curve) && scale <= kFarthest)) {
       too_far = true;
       builder.in.problem(
           own->value.where,

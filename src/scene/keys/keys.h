@@ -1,6 +1,8 @@
 #pragma once
 #include <fmt/core.h>
 
+#include <type_traits>
+
 #include "base/counted.h"
 #include "scene/keys/builder.h"
 
@@ -11,6 +13,7 @@ template <class T>
 struct Key {
   KeyInfo info;
   void (*read)(Builder&, const Field&, T&);
+  bool may_change = false;  ///< with time
 };
 
 template <class T>
@@ -28,20 +31,28 @@ inline std::string key_path(const std::string& table, const char* key) {
 /// Reads a table whose keys have been checked, for another copy of it.
 template <class T>
 void read_again(Builder& builder, const Value& table, const std::string& name,
-                std::span<const Key<T>> keys, T& target) {
-  for (const Key<T>& key : keys)
-    if (const Member* member = table.find(key.info.name))
-      key.read(builder, {key_path(name, key.info.name), member->value, key.info.takes}, target);
+                std::type_identity_t<std::span<const Key<T>>> keys, T& target) {
+  const bool in_what_changes = builder.may_change;
+  for (const Key<T>& key : keys) {
+    const Member* member = table.find(key.info.name);
+    if (member == nullptr) continue;
+    builder.may_change = in_what_changes || key.may_change;
+    key.read(builder, {key_path(name, key.info.name), member->value, key.info.takes}, target);
+  }
+  builder.may_change = in_what_changes;
 }
 
 /// Reads a table into `target`: unknown keys and missing ones are problems, the others are read in
 /// the order of `keys`, so that a key may build on those before it.
+/// Gives   whether there was no problem.
 template <class T>
-void read_keys(Builder& builder, const Value& table, const std::string& name,
-               std::span<const Key<T>> keys, T& target) {
-  if (!builder.in.is({name, table, "{ ... }"}, Value::Kind::table, "a table")) return;
-  check_keys(table, name, key_infos(keys), builder.in.problems);
+bool read_keys(Builder& builder, const Value& table, const std::string& name,
+               std::type_identity_t<std::span<const Key<T>>> keys, T& target) {
+  if (!builder.in.is({name, table, "{ ... }"}, Value::Kind::table, "a table")) return false;
+  const std::size_t problems = builder.in.problems.size();
+  check_keys(table, name, key_infos<T>(keys), builder.in.problems);
   read_again(builder, table, name, keys, target);
+  return builder.in.problems.size() == problems;
 }
 
 template <class T, class M>
@@ -55,9 +66,10 @@ using OwnerOf = decltype(owner_of(Pointer));
 template <auto Pointer>
 using TypeOf = decltype(type_of(Pointer));
 
-/// Reads a number, point, box, truth value, string or colour into a member.
-template <auto Pointer>
-void set(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
+/// Reads a number, point, box, truth value, string or colour into a member, of a T also that of its
+/// base.
+template <auto Pointer, class T = OwnerOf<Pointer>>
+void set(Builder& builder, const Field& field, T& target) {
   if (const auto value = builder.in.as(field, static_cast<const TypeOf<Pointer>*>(nullptr)))
     target.*Pointer = *value;
 }
@@ -76,14 +88,14 @@ template <auto Pointer, const NumberRule& rule>
 void set_number(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
   const auto number = builder.in.number(field);
   if (number && !rule.holds(*number))
-    builder.in.problem(field.value.where, fmt::format("{} {}", field.name, rule.broken), rule.hint);
+    builder.in.problem(field, rule.broken, rule.hint);
   else if (number)
     target.*Pointer = *number;
 }
 
 /// Reads degrees into radians.
-template <auto Pointer>
-void set_angle(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
+template <auto Pointer, class T = OwnerOf<Pointer>>
+void set_angle(Builder& builder, const Field& field, T& target) {
   if (const auto degrees = builder.in.number(field)) target.*Pointer = radians(*degrees);
 }
 
@@ -113,8 +125,7 @@ void each_table(Builder& builder, const Field& field, const Read& read) {
   if (!builder.in.is(field, Value::Kind::array, "an array of tables")) return;
   if (field.value.items.size() > limit)
     return builder.in.problem(
-        field.value.where,
-        fmt::format("{} has {}", field.name, counted(field.value.items.size(), "entry", "entries")),
+        field, fmt::format("has {}", counted(field.value.items.size(), "entry", "entries")),
         fmt::format("the limit is {}; --max-entities raises it", limit));
   for (const Value& item : field.value.items) read(item);
 }

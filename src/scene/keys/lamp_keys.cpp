@@ -67,12 +67,11 @@ void set_within(Builder& builder, const Field& field, Lamp& lamp) {
   lamp.*Pointer = *number;
   const double least = lowest(builder.scene, *number), most = highest(builder.scene, *number);
   if (least >= limits.low && most <= limits.high) return;
-  builder.in.problem(
-      field.value.where,
-      fmt::format("{} {} {}, not {} to {}", field.name, number->curve ? "comes to" : "is",
-                  number_text(least >= limits.low ? most : least), number_text(limits.low),
-                  number_text(limits.high)),
-      limits.hint);
+  builder.in.problem(field,
+                     fmt::format("{} {}, not {} to {}", number->curve ? "comes to" : "is",
+                                 number_text(least >= limits.low ? most : least),
+                                 number_text(limits.low), number_text(limits.high)),
+                     limits.hint);
 }
 
 // A file that several lamps have is read once.
@@ -91,17 +90,14 @@ void read_spectrum(Builder& builder, const Field& field, Lamp& lamp) {
 }
 
 void read_colour(Builder& builder, const Field& field, Lamp& lamp) {
-  builder.may_change = true;
   const auto colour = read_moving_colour(builder, field);
-  builder.may_change = false;
   if (!colour) return;
   constexpr CurveId kAlpha = 3;  // of the four curves of a colour
   const bool clear = colour->curve == kNoEntry
                          ? colour->a < 255
                          : lowest(builder.scene.curves[colour->curve + kAlpha]) < 1;
   if (clear)
-    return builder.in.problem(field.value.where,
-                              field.name + " has an opacity, which light has not",
+    return builder.in.problem(field, "has an opacity, which light has not",
                               "write #rrggbb, and a power below 1 for less light");
   lamp.colour = *colour;
 }
@@ -122,11 +118,11 @@ constexpr const char* kOwn = "the lamp's";
 constexpr Key<Lamp> kLampLookKeys[] = {
     kNameKey<Lamp>,
     {{"power", "number or a curve", kOwn}, &set_within<&Lamp::power, kPowerLimits>},
-    {{"colour", "\"#rrggbb\" or a curve", kOwn}, &read_colour},
+    {{"colour", "\"#rrggbb\" or a curve", kOwn}, &read_colour, true},
     {{"nm", "number or a curve", kOwn}, &set_within<&Lamp::wavelength, kWavelengthLimits>},
     {{"kelvin", "number or a curve", kOwn}, &set_within<&Lamp::temperature, kTemperatureLimits>},
     {{"spectrum", "\"spectrum.csv\"", kOwn}, &read_spectrum},
-    {{"velocity", "[vx, vy]", kOwn}, &set<&Lamp::velocity>},
+    {{"velocity", "[vx, vy]", kOwn}, &set<&Lamp::velocity, Lamp>},
 };
 
 Look read_lamp_look(Builder& builder, const Value& table, const std::string& name,
@@ -136,7 +132,7 @@ Look read_lamp_look(Builder& builder, const Value& table, const std::string& nam
   const auto has = [&](const char* key) { return table.find(key) != nullptr; };
   if (!has("colour") && !has("nm") && !has("kelvin") && !has("spectrum"))
     static_cast<LampLight&>(now) = lamp;
-  read_keys<Lamp>(builder, table, "lamp " + name, kLampLookKeys, now);
+  read_keys(builder, table, "lamp " + name, kLampLookKeys, now);
   expect_one_colour(builder, now, table);
   Look look;
   look.name = now.name;
@@ -157,10 +153,10 @@ constexpr Key<Lamp> kLampKeys[] = {
     kGroupKey<Lamp>,
     kMovingAtKey<Lamp>,
     kMovingAngleKey<Lamp>,
-    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Lamp::velocity>},
-    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Lamp::angular_velocity>},
+    kVelocityKey<Lamp>,
+    kAngularVelocityKey<Lamp>,
     {{"power", "number or a curve", "1"}, &set_within<&Lamp::power, kPowerLimits>},
-    {{"colour", "\"#rrggbb\" or a curve", "\"#ffffff\""}, &read_colour},
+    {{"colour", "\"#rrggbb\" or a curve", "\"#ffffff\""}, &read_colour, true},
     {{"nm", "number or a curve", "none"}, &set_within<&Lamp::wavelength, kWavelengthLimits>},
     {{"kelvin", "number or a curve", "none"}, &set_within<&Lamp::temperature, kTemperatureLimits>},
     {{"spectrum", "\"spectrum.csv\"", "none"}, &read_spectrum},
@@ -180,8 +176,7 @@ void read_exposure(Builder& builder, const Field& field, LightSettings& light) {
   if (!exposure) return;
   if (!(*exposure > 0 && *exposure <= 1e30))
     return builder.in.problem(
-        field.value.where,
-        fmt::format("{} is {}, not above 0 and at most 1e30", field.name, number_text(*exposure)),
+        field, fmt::format("is {}, not above 0 and at most 1e30", number_text(*exposure)),
         "write what light of 1 is to be shown as, or \"auto\"");
   light.exposure = *exposure;
 }
@@ -194,7 +189,7 @@ void read_scrambles(Builder& builder, const Field& field, LightSettings& light) 
   const auto count = builder.in.integer(field, 1, 64);
   if (!count) return;
   if (*count != 1 && *count != 16 && *count != 32 && *count != 64)
-    return builder.in.problem(field.value.where, field.name + " is neither 1 nor 16, 32 or 64",
+    return builder.in.problem(field, "is neither 1 nor 16, 32 or 64",
                               "write 16 where the error is asked for");
   light.scrambles = static_cast<unsigned>(*count);
 }
@@ -337,7 +332,7 @@ void read_lamps(Builder& builder, const Field& field, Scene& scene) {
 
 void read_light(Builder& builder, const Field& field, Scene& scene) {
   scene.light.where = field.value.where;
-  read_keys<LightSettings>(builder, field.value, "light", kLightKeys, scene.light);
+  read_keys(builder, field.value, "light", kLightKeys, scene.light);
 }
 
 std::vector<TableInfo> lamp_tables() {

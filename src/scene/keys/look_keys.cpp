@@ -1,7 +1,6 @@
 #include "scene/keys/look_keys.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/counted.h"
 #include "scene/keys/corner_limit.h"
@@ -16,10 +15,9 @@ void read_width(Builder& builder, const Field& field, Stroke& stroke) {
   const auto width = read_moving(builder, field, nullptr, builder.may_change);
   if (!width) return;
   if (width->curve && lowest(builder.scene.curves[*width->curve]) < 0)
-    return builder.in.problem(field.value.where, field.name + " goes below 0",
-                              "end the curve at 0: nothing is drawn then");
+    return builder.in.problem(field, "goes below 0", "end the curve at 0: nothing is drawn then");
   if (!width->curve && !(width->value > 0))
-    return builder.in.problem(field.value.where, field.name + " is not above 0",
+    return builder.in.problem(field, "is not above 0",
                               R"(leave the stroke out, or write stroke = "none")");
   stroke.width = width->value;
   stroke.width_curve = width->curve;
@@ -38,7 +36,7 @@ std::vector<double> dash_lengths(Builder& builder, const Field& field) {
   for (std::size_t i = 0; i < field.value.items.size(); ++i) {
     const double length = builder.in.number(field.item(i)).value_or(0);
     if (!(length >= 0 && length <= kFarthest))
-      builder.in.problem(field.value.items[i].where, field.item(i).name + " is not a length",
+      builder.in.problem(field.item(i), "is not a length",
                          "write numbers from 0 to 1e300: line, gap, line, gap, ...");
     lengths.push_back(length);
   }
@@ -49,15 +47,14 @@ void read_dashes(Builder& builder, const Field& field, Stroke& stroke) {
   constexpr std::size_t kMostLengths = 100;
   if (!builder.in.is(field, Value::Kind::array, "a list of numbers")) return;
   if (field.value.items.size() > kMostLengths)
-    return builder.in.problem(
-        field.value.where,
-        fmt::format("{} has {}", field.name, counted(field.value.items.size(), "length")),
-        fmt::format("at most {}", kMostLengths));
+    return builder.in.problem(field,
+                              fmt::format("has {}", counted(field.value.items.size(), "length")),
+                              fmt::format("at most {}", kMostLengths));
   const std::size_t problems = builder.in.problems.size();
   std::vector<double> lengths = dash_lengths(builder, field);
   if (builder.in.problems.size() > problems) return;
   if (std::ranges::count(lengths, 0.0) == static_cast<std::ptrdiff_t>(lengths.size()))
-    return builder.in.problem(field.value.where, field.name + " have no length",
+    return builder.in.problem(field, "have no length",
                               "write line, gap, ..., or leave them out for a whole line");
   if (lengths.size() % 2 == 1)
     for (std::size_t i = 0, count = lengths.size(); i < count; ++i) lengths.push_back(lengths[i]);
@@ -95,14 +92,13 @@ bool is_none(const Value& value) {
 }  // namespace
 
 bool read_stroke(Builder& builder, const Field& field, Stroke& stroke) {
-  const std::size_t problems = builder.in.problems.size();
   const std::string name = field.name.substr(field.name.rfind('.') + 1);  // or bounding_box
-  read_keys<Stroke>(builder, field.value, name, kStrokeKeys, stroke);
+  const bool right = read_keys(builder, field.value, name, kStrokeKeys, stroke);
   const Member* both = field.value.find("width") ? field.value.find("width_px") : nullptr;
   if (both != nullptr)
     builder.in.problem(both->where, "stroke has both width and width_px",
                        "width counts world units, width_px pixels: keep one");
-  return builder.in.problems.size() == problems;
+  return right && both == nullptr;
 }
 
 Paint default_fill(const Scene& scene, ScattererId scatterer, const Colour& fill) {

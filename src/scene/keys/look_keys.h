@@ -37,7 +37,7 @@ void set_stroke(Builder& builder, const Field& field, OwnerOf<Pointer>& target) 
   read_optional_stroke(builder, field, target.*Pointer);
 }
 template <class T>
-inline constexpr Key<T> kNameKey = {{"name", "\"NAME\"", "\"\""}, &set<&T::name>};
+inline constexpr Key<T> kNameKey = {{"name", "\"NAME\"", "\"\""}, &set<&T::name, T>};
 template <class T>
 inline constexpr Key<T> kShapeKey = {{"shape", "{ KIND = { ... } }", kRequired}, &set_shape<T>};
 template <class T>
@@ -58,22 +58,12 @@ void set_moving_opacity(Builder& builder, const Field& field, T& target) {
   const std::optional<Moving> opacity = read_moving(builder, field);
   if (!opacity) return;
   if (!lies_between(builder.scene, *opacity, 0, 1))
-    return builder.in.problem(field.value.where,
-                              fmt::format("{} {}", field.name, kOpacityRule.broken),
-                              kOpacityRule.hint);
-  target.opacity = opacity->value;
-  target.opacity_curve = opacity->curve;
+    return builder.in.problem(field, kOpacityRule.broken, kOpacityRule.hint);
+  target.opacity = *opacity;
 }
 template <class T>
 inline constexpr Key<T> kMovingOpacityKey = {{"opacity", "number or a curve", "1"},
                                              &set_moving_opacity<T>};
-/// Reads what may change with time.
-template <class T, void (*read)(Builder&, const Field&, T&)>
-void read_changing(Builder& builder, const Field& field, T& target) {
-  builder.may_change = true;
-  read(builder, field, target);
-  builder.may_change = false;
-}
 template <class T, const auto& words = kMaterialWords>
 void set_material(Builder& builder, const Field& field, T& target) {
   const auto read = read_material(builder, field, words);

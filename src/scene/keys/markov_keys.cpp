@@ -13,36 +13,28 @@ struct MarkovWords {
 void read_chain(Builder& builder, const Field& field, MarkovWords& words) {
   const auto name = builder.in.string(field);
   if (!name) return;
-  std::vector<std::string> known;
-  for (std::uint32_t i = 0; i < builder.scene.chains.size(); ++i) {
-    const MarkovChain& chain = builder.scene.chains[i];
-    known.push_back(chain.name);
-    if (chain.name != *name) continue;
-    words.chain = &chain;
-    words.use.chain = i;
-    words.use.start = chain.start;
-    return;
-  }
-  builder.in.problems.push_back(unknown_word(field.value.where, "Markov chain", *name, known));
+  const std::vector<MarkovChain>& chains = builder.scene.chains;
+  const auto found = std::ranges::find(chains, *name, &MarkovChain::name);
+  if (found == chains.end())
+    return builder.in.problems.push_back(
+        unknown_word(field.value.where, "Markov chain", *name, names_of(chains)));
+  words.chain = &*found;
+  words.use.chain = static_cast<std::uint32_t>(found - chains.begin());
+  words.use.start = found->start;
 }
 
-void read_start(Builder& builder, const Field& field, MarkovWords& words) {
+template <auto Pointer>
+void set_state(Builder& builder, const Field& field, MarkovWords& words) {
   const auto name = builder.in.string(field);
   if (!name || words.chain == nullptr) return;
   if (const auto state = find_state(builder, *words.chain, field.value.where, *name))
-    words.use.start = *state;
-}
-
-void read_hit(Builder& builder, const Field& field, MarkovWords& words) {
-  const auto name = builder.in.string(field);
-  if (!name || words.chain == nullptr) return;
-  words.use.hit = find_state(builder, *words.chain, field.value.where, *name);
+    words.use.*Pointer = *state;
 }
 
 constexpr Key<MarkovWords> kMarkovKeys[] = {
     {{"chain", "\"CHAIN\"", kRequired}, &read_chain},
-    {{"start", "\"STATE\"", "the chain's first row"}, &read_start},
-    {{"hit", "\"STATE\"", "none"}, &read_hit},
+    {{"start", "\"STATE\"", "the chain's first row"}, &set_state<&MarkovUse::start>},
+    {{"hit", "\"STATE\"", "none"}, &set_state<&MarkovUse::hit>},
 };
 
 std::vector<Look> looks_of(const Value& value, const std::string& name, const ReadLook& read) {
@@ -56,7 +48,7 @@ std::vector<Look> looks_of(const Value& value, const std::string& name, const Re
 
 std::optional<MarkovUse> read_markov_use(Builder& builder, const Field& field) {
   MarkovWords words;
-  read_keys<MarkovWords>(builder, field.value, "markov", kMarkovKeys, words);
+  read_keys(builder, field.value, "markov", kMarkovKeys, words);
   if (words.chain == nullptr) return std::nullopt;
   words.use.looks.resize(words.chain->states.size());
   return std::move(words.use);

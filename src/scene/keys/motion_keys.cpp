@@ -1,7 +1,5 @@
 #include "scene/keys/motion_keys.h"
 
-#include <cmath>
-
 #include "scene/keys/corner_limit.h"
 
 namespace flatray {
@@ -57,10 +55,8 @@ Path measured(const FollowWords& words) {
 }  // namespace
 
 void read_follow_path(Builder& builder, const Field& field, Motion& motion) {
-  const std::size_t problems = builder.in.problems.size();
   FollowWords words;
-  read_keys<FollowWords>(builder, field.value, "follow", kFollowKeys, words);
-  if (builder.in.problems.size() > problems) return;
+  if (!read_keys(builder, field.value, "follow", kFollowKeys, words)) return;
   if (words.speed.has_value() == words.duration.has_value())
     return builder.in.problem(field.value.where, "follow wants either speed or duration",
                               "write one of speed = v and duration = seconds");

@@ -32,6 +32,11 @@ template <class T>
 inline constexpr Key<T> kMovingAngleKey = {{"angle", "degrees or a curve", "0"},
                                            &set_moving_angle<T>};
 template <class T>
+inline constexpr Key<T> kVelocityKey = {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&T::velocity, T>};
+template <class T>
+inline constexpr Key<T> kAngularVelocityKey = {{"angular_velocity", "degrees a second", "0"},
+                                               &set_angle<&T::angular_velocity, T>};
+template <class T>
 inline constexpr Key<T> kFollowKey = {{"follow", "{ path = [[x, y], ...], speed = v }", "none"},
                                       &set_follow<T>};
 

@@ -26,11 +26,8 @@ void read_direction(Builder& builder, const Field& field, RayPath& ray) {
   const Scene& scene = builder.scene;
   if (lies_between(scene, {direction->value.x(), direction->x}, 0, 0) &&
       lies_between(scene, {direction->value.y(), direction->y}, 0, 0))
-    return builder.in.problem(field.value.where, field.name + " has no length",
-                              "write where the ray goes, at any length");
-  ray.direction = direction->value;
-  ray.direction_x = direction->x;
-  ray.direction_y = direction->y;
+    return builder.in.problem(field, "has no length", "write where the ray goes, at any length");
+  ray.direction = *direction;
 }
 
 constexpr NumberRule kSpeedRule{&is_above_zero, "must be above 0", "write 1"};
@@ -49,7 +46,7 @@ constexpr Key<RayPath::Fan> kFanKeys[] = {
 
 void read_fan(Builder& builder, const Field& field, RayPath& ray) {
   RayPath::Fan fan;
-  read_keys<RayPath::Fan>(builder, field.value, "ray.fan", kFanKeys, fan);
+  read_keys(builder, field.value, "ray.fan", kFanKeys, fan);
   ray.fan = fan;
 }
 
@@ -76,10 +73,10 @@ void read_radius(Builder& builder, const Field& field, RayPath::Ball& ball) {
   const std::optional<Moving> radius = read_moving(builder, field);
   if (!radius) return;
   if (radius->curve && !lies_between(builder.scene, *radius, 0, kFarthest))
-    return builder.in.problem(field.value.where, field.name + " goes below 0 or beyond 1e300",
+    return builder.in.problem(field, "goes below 0 or beyond 1e300",
                               "end the curve at 0: no ball is seen then");
   if (!radius->curve && !(radius->value > 0))
-    return builder.in.problem(field.value.where, field.name + " must be above 0", "write 1");
+    return builder.in.problem(field, "must be above 0", "write 1");
   ball.radius = *radius;
 }
 
@@ -93,7 +90,7 @@ constexpr Key<RayPath::Ball> kBallKeys[] = {
 void read_ball(Builder& builder, const Field& field, RayPath& ray) {
   RayPath::Ball ball;
   ball.colour = ray.stroke.colour;
-  read_keys<RayPath::Ball>(builder, field.value, "ray.ball", kBallKeys, ball);
+  read_keys(builder, field.value, "ray.ball", kBallKeys, ball);
   ray.ball = ball;
   const Member* speed = field.value.find("speed");
   if (speed == nullptr && !ray.speed && field.value.kind == Value::Kind::table)
@@ -110,13 +107,14 @@ constexpr Key<RayPath> kRayKeys[] = {
     {{"at", "[x, y] or a curve", kRequired}, &set_moving_at<RayPath>},
     {{"direction", "[dx, dy] or a curve", kRequired}, &read_direction},
     kMovingAngleKey<RayPath>,
-    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&RayPath::velocity>},
-    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&RayPath::angular_velocity>},
+    kVelocityKey<RayPath>,
+    kAngularVelocityKey<RayPath>,
     {{"bounces", "whole number", "0"}, &set_integer<&RayPath::bounces, 0, kMaxBounces>},
     {{"speed", "number", "none"}, &set_number<&RayPath::speed, kSpeedRule>},
     {{"stroke", R"({ width = w, colour = "#rrggbb" })",
       R"({ width_px = 1.5, colour = "#d62728" })"},
-     &read_changing<RayPath, &change_stroke<RayPath>>},
+     &change_stroke<RayPath>,
+     true},
     {{"hit_points", "\"#rrggbb\"", "none"}, &set<&RayPath::hit_points>},
     {{"end_colour", "\"#rrggbb\"", "the stroke's"}, &set<&RayPath::end_colour>},
     {{"numbers", "\"#rrggbb\"", "none"}, &set<&RayPath::numbers>},
@@ -142,7 +140,7 @@ constexpr Key<EdgeRays> kEdgeRayKeys[] = {
 
 // What hides a ray in all frames; nothing where something of it shows.
 const char* reason_unseen(const RayPath& ray) {
-  if (ray.opacity == 0 && !ray.opacity_curve) return "its opacity is 0";
+  if (ray.opacity.value == 0 && !ray.opacity.curve) return "its opacity is 0";
   const Paint& line = ray.stroke.colour;
   const bool clear = line.a == 0 && line.curve == kNoEntry && line.gradient == kNoEntry;
   const auto shows = [](const std::optional<Colour>& colour) { return colour && colour->a > 0; };
@@ -185,7 +183,7 @@ void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
     EdgeRays rays{0,     0,           {1.5, true, kGrey},
                   kBlue, kGreen,      kRed,
                   0,     table.where, draw_order(builder, table.where)};
-    read_keys<EdgeRays>(builder, table, "edge_rays", kEdgeRayKeys, rays);
+    read_keys(builder, table, "edge_rays", kEdgeRayKeys, rays);
     scene.edge_rays.push_back(rays);
   });
 }

@@ -40,7 +40,7 @@ constexpr Key<Scatter> kScatterKeys[] = {
 template <class T, const auto& keys>
 void read_kind(Builder& builder, const Field& field, std::optional<Repeat>& chosen) {
   T repeat;
-  read_keys<T>(builder, field.value, field.name, keys, repeat);
+  read_keys(builder, field.value, field.name, keys, repeat);
   chosen = repeat;
 }
 
@@ -81,19 +81,14 @@ double farthest(const Scatter&) { return 0; }  // of points that were looked at
 }  // namespace
 
 std::optional<Repeat> read_repeat(Builder& builder, const Field& field) {
-  const std::size_t problems = builder.in.problems.size();
   std::optional<Repeat> repeat;
-  read_keys<std::optional<Repeat>>(builder, field.value, "repeat", kRepeatKeys, repeat);
-  if (builder.in.problems.size() > problems) return std::nullopt;
+  if (!read_keys(builder, field.value, "repeat", kRepeatKeys, repeat)) return std::nullopt;
   if (repeat && std::visit([](const auto& kind) { return farthest(kind); }, *repeat) > kFarthest)
-    return builder.in.refuse({field.value.where,
-                              fmt::format("{} has copies beyond 1e300", field.name),
-                              "write numbers that keep them between -1e300 and 1e300"});
+    return builder.in.refuse(field, "has copies beyond 1e300",
+                             "write numbers that keep them between -1e300 and 1e300");
   if (field.value.members.size() == 1) return repeat;
-  return builder.in.refuse(
-      {field.value.where,
-       fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
-       "write one of grid, ring, scatter; a group repeats what repeats"});
+  return builder.in.refuse(field, fmt::format("has {} kinds, not one", field.value.members.size()),
+                           "write one of grid, ring, scatter; a group repeats what repeats");
 }
 
 std::uint64_t copy_count(const Repeat& repeat) {

@@ -40,7 +40,7 @@ TEST(Fans, OfOneAreTheRay) {
   const Scene scene = loaded(with_ray("fan = { count = 1, spread = 90, width = 1 }")).scene;
   ASSERT_EQ(scene.rays.size(), 1U);
   EXPECT_EQ(scene.rays[0].at, Vec2(1, 2));
-  EXPECT_EQ(scene.rays[0].direction, Vec2(2, 0));
+  EXPECT_EQ(scene.rays[0].direction.value, Vec2(2, 0));
   EXPECT_EQ(scene.rays[0].name, "r");
 }
 

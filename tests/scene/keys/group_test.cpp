@@ -35,8 +35,8 @@ TEST(Groups, MayStandAnywhereInTheFile) {
 
 TEST(Groups, HaveAScaleAboveZero) {
   const Scene scene = loaded(kHead + group("a", "scale = 2.5") + group("b")).scene;
-  EXPECT_EQ(scene.groups[0].scale, 2.5);
-  EXPECT_EQ(scene.groups[1].scale, 1);
+  EXPECT_EQ(scene.groups[0].scale.value, 2.5);
+  EXPECT_EQ(scene.groups[1].scale.value, 1);
   for (const char* wrong : {"0", "-1", "1e301"})
     EXPECT_FALSE(load(kHead + group("a", std::string("scale = ") + wrong))) << wrong;
 }

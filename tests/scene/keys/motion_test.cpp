@@ -44,8 +44,8 @@ TEST(Curves, MoveGroupsStrokesAndTheCamera) {
                           .scene;
   EXPECT_TRUE(scene.groups[0].motion.x);
   EXPECT_TRUE(scene.entities[0].stroke->width_curve);
-  EXPECT_TRUE(scene.camera.x_curve && scene.camera.height->curve && scene.camera.zoom.curve);
-  EXPECT_EQ(scene.camera.at, Vec2(0, 2));
+  EXPECT_TRUE(scene.camera.at->x && scene.camera.height->curve && scene.camera.zoom.curve);
+  EXPECT_EQ(scene.camera.at->value, Vec2(0, 2));
 }
 
 TEST(Follow, MeasuresItsPath) {

@@ -101,7 +101,7 @@ TEST(SceneKeys, FilmCameraAndTime) {
   EXPECT_EQ(scene.film.world->high, Vec2(30, 40));
   EXPECT_EQ(scene.film.background, (Colour{1, 2, 3, 4}));
   EXPECT_EQ(scene.film.coverage, Coverage::centre);
-  EXPECT_EQ(*loaded("flatray = 1\ncamera = { at = [1, 2] }").scene.camera.at, Vec2(1, 2));
+  EXPECT_EQ(loaded("flatray = 1\ncamera = { at = [1, 2] }").scene.camera.at->value, Vec2(1, 2));
   EXPECT_EQ(scene.camera.height->value, 9);
   EXPECT_EQ(*scene.camera.follow, 0u);
   EXPECT_EQ(scene.camera.offset, Vec2(3, 4));
@@ -165,7 +165,7 @@ TEST(SceneKeys, RaysAndEdgeRays) {
   const RayPath& ray = every_key().rays.at(0);
   EXPECT_EQ(ray.name, "probe");
   EXPECT_EQ(ray.at, Vec2(15, 5));
-  EXPECT_EQ(ray.direction, Vec2(1, -1));
+  EXPECT_EQ(ray.direction.value, Vec2(1, -1));
   EXPECT_EQ(ray.bounces, 12u);
   EXPECT_EQ(ray.stroke.width, 0.1);
   EXPECT_EQ(ray.hit_points->r, 0x66);

@@ -120,7 +120,7 @@ TEST(StiffCases, E4AMillionDigitsAreALocatedError) {
 
 TEST(StiffCases, E4UnderflowReadsAsZeroWithAWarning) {
   const LoadedScene got = loaded("flatray = 1\ncamera = { at = [1e-400, 2] }\n");
-  EXPECT_EQ(*got.scene.camera.at, Vec2(0, 2));
+  EXPECT_EQ(got.scene.camera.at->value, Vec2(0, 2));
   EXPECT_EQ(format(got.warnings, "warning").substr(0, 43),
             "t.toml:2:18: warning: 1e-400 reads as 0\n   ");
 }
