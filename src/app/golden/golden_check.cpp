@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/files/outputs.h"
-#include "app/report/difference_text.h"
+#include "app/report/report.h"
 #include "image/png.h"
 
 namespace flatray {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/files/outputs.h"
-#include "app/report/difference_text.h"
+#include "app/report/report.h"
 #include "image/png.h"
 #include "scene/load.h"
 

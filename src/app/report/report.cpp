@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <set>
@@ -103,6 +104,15 @@ JsonValue failed_results(const Diagnostics& problems) {
 
 std::string point_text(const Vec2& point) {
   return fmt::format("({}, {})", number_text(point.x()), number_text(point.y()));
+}
+
+std::string difference_text(const Difference& difference) {
+  constexpr std::array<const char*, 4> kChannels = {"red", "green", "blue", "alpha"};
+  return fmt::format("worst pixel ({}, {}) {}: {}, expected {}; {} of {} differ{}", difference.x,
+                     difference.y, kChannels[static_cast<std::size_t>(difference.channel)],
+                     static_cast<float>(difference.actual), static_cast<float>(difference.expected),
+                     difference.pixels, counted(difference.of, "pixel"),
+                     difference.pixels == 1 ? "s" : "");
 }
 
 JsonValue as_value(const Vec2& point) { return Values{point.x(), point.y()}; }

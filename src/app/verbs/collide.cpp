@@ -110,23 +110,25 @@ Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings, co
   return table;
 }
 
+// At most three of many, and how many more there are.
+std::pair<std::string, std::size_t> first_few(std::vector<std::string> names) {
+  constexpr std::size_t kMost = 3;
+  const std::size_t more = names.size() - std::min(names.size(), kMost);
+  names.resize(names.size() - more);
+  return {comma_list(names), more};
+}
+
 // What the answer is not about, so that nobody takes silence for a miss; "" for nothing.
 std::string left_out(const Scene& scene) {
-  constexpr std::size_t kMostNames = 3;
   std::vector<std::string> names;
-  std::size_t more = 0;
-  for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
-    if (!is_left_out(scene, i)) continue;
-    if (names.size() == kMostNames)
-      ++more;
-    else
-      names.push_back(entity_name(scene, i));
-  }
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
+    if (is_left_out(scene, i)) names.push_back(entity_name(scene, i));
   if (names.empty()) return {};
+  const auto [few, more] = first_few(std::move(names));
   return fmt::format(
       "left out are outlines that cross themselves and curves but circles, capsules and ellipses: "
       "{}{}",
-      comma_list(names), more == 0 ? "" : fmt::format(" and {} more", more));
+      few, more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
 Table event_table(const Scene& scene, const Simulation& done, const Asked& asked) {
@@ -143,15 +145,14 @@ Table event_table(const Scene& scene, const Simulation& done, const Asked& asked
   return table;
 }
 
-// At most three of many: "a and b", more separated by commas.
+// "a and b", more separated by commas.
 std::string named_pairs(const Scene& scene,
                         std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
-  constexpr std::size_t kMostPairs = 3;
-  std::vector<std::string> told;
-  for (const auto& [a, b] : pairs.first(std::min(pairs.size(), kMostPairs)))
-    told.push_back(fmt::format("{} and {}", entity_name(scene, a), entity_name(scene, b)));
-  const std::size_t more = pairs.size() - told.size();
-  return comma_list(told) + (more == 0 ? "" : fmt::format(" ({} more)", more));
+  std::vector<std::string> all;
+  for (const auto& [a, b] : pairs)
+    all.push_back(fmt::format("{} and {}", entity_name(scene, a), entity_name(scene, b)));
+  const auto [few, more] = first_few(std::move(all));
+  return few + (more == 0 ? "" : fmt::format(" ({} more)", more));
 }
 
 Result<VerbOutput> events(const Options& options, const Timeline& timeline, const Asked& asked) {

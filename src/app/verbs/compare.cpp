@@ -7,7 +7,6 @@
 
 #include "app/files/outputs.h"
 #include "app/files/scene_input.h"
-#include "app/report/difference_text.h"
 #include "app/verb.h"
 #include "base/file.h"
 #include "base/parallel.h"

@@ -7,7 +7,6 @@
 #include "app/frames/frames.h"
 #include "app/golden/golden_check.h"
 #include "app/golden/golden_update.h"
-#include "app/report/difference_text.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/parallel.h"
