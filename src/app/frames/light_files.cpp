@@ -157,14 +157,8 @@ Picture part_of(Picture image, const PixelBox& part) {
 
 FilmFile film_of(const TracedLight& light, std::string setting) {
   const LightFilm& first = light.films.front();
-  FilmFile film{std::move(setting),
-                first.width(),
-                first.height(),
-                first.channels(),
-                light.round_unit,
-                light.rounds,
-                {},
-                {}};
+  FilmFile film{std::move(setting), first.width(),    first.height(),
+                first.channels(),   light.round_unit, light.rounds};
   for (const auto number : kNumbers)
     film.counts.push_back(static_cast<std::int64_t>(light.counts.*number));
   for (const auto energy : kEnergies) film.counts.push_back(light.counts.*energy);

@@ -1,6 +1,7 @@
 // The scripts ask the program at each tab, so that they never fall behind it. Names of a scene are
 // quoted by them, so that TAB never puts on the line what the shell would run.
 #include "app/help/completion.h"
+#include "base/entry_named.h"
 
 namespace flatray {
 namespace {
@@ -121,10 +122,6 @@ std::string completion_script(std::string_view shell) {
   return "";
 }
 
-std::vector<std::string> completed_shells() {
-  std::vector<std::string> names;
-  for (const Shell& shell : kShells) names.emplace_back(shell.name);
-  return names;
-}
+std::vector<std::string> completed_shells() { return names_of(kShells); }
 
 }  // namespace flatray

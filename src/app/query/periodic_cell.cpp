@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <numeric>
-#include <optional>
 
 #include "geom/predicates.h"
 #include "scene/outlines/lattice_cell.h"

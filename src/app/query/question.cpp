@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "base/entry_named.h"
 #include "geom/polygon.h"
 #include "geom/predicates.h"
 #include "scene/outlines/arcs.h"
@@ -200,9 +201,7 @@ void read_wall(const QuestionPart& wall, Surfaces& walls) {
   static constexpr std::pair<const char*, Read> kWalls[] = {
       {"segment", &read_segment}, {"circle", &read_whole},  {"arc", &read_arc},
       {"ellipse", &read_ellipse}, {"bezier", &read_bezier}, {"conic", &read_conic}};
-  std::vector<std::string> names;
-  for (const auto& [name, read] : kWalls) names.emplace_back(name);
-  check_fields(wall, names);
+  check_fields(wall, names_of(kWalls));
   std::size_t found = 0;
   for (const auto& [name, read] : kWalls)
     if (const QuestionPart part = wall[name]; part && ++found == 1) read(part, walls);
