@@ -39,12 +39,7 @@ struct GrowthSums {
   FlightTail tail{};
 
   RatioSums of(Sum which) const { return sums[which].all(); }
-  SumList list() {
-    SumList all;
-    tail.append_to(all);
-    for (StartSums& one : sums) one.append_to(all);
-    return all;
-  }
+  SumList list() { return sums_of(tail, sums); }
 };
 
 class Growth : public OrbitSink {

@@ -27,13 +27,7 @@ struct FlightSums {
   double escaped = 0, corners = 0;
   FlightTail tail{};
 
-  SumList list() {
-    SumList all{&escaped, &corners};
-    tail.append_to(all);
-    flights.append_to(all);
-    spread.append_to(all);
-    return all;
-  }
+  SumList list() { return sums_of(escaped, corners, tail, flights, spread); }
 };
 
 // By orbit: the way flown and the flights it is made of.

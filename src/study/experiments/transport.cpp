@@ -70,9 +70,7 @@ class LagSums {
       }
     }
   }
-  void append_to(SumList& list) {
-    for (double& sum : sums_) list.push_back(&sum);
-  }
+  void append_to(SumList& list) { append(list, sums_); }
   /// The mean square displacement, the correlation of velocities, the Green-Kubo integral.
   Plot::Point point(std::size_t which, std::size_t lag, double time) const {
     const double n = sums_[0], mean = sums_[1 + 6 * lag + 2 * which] / n;
@@ -94,15 +92,7 @@ struct Transport {
   LagSums lags{times.lags};
   StreamingHistogram flights{0, 16 * mean_flight, 256}, sines{0, 1, 64};
 
-  SumList list() {
-    SumList all{&left_out};
-    tail.append_to(all);
-    for (RatioSums& one : asked) one.append_to(all);
-    lags.append_to(all);
-    flights.append_to(all);
-    sines.append_to(all);
-    return all;
-  }
+  SumList list() { return sums_of(left_out, tail, asked, lags, flights, sines); }
 };
 
 // Orbits as they are made: where they are at the times, in the plane.
@@ -262,7 +252,7 @@ void add_files(ExperimentResult& result, const Transport& all, const ExperimentC
   all.sines.add_files(result, "transport_sines", "sines of the incidence");
   for (std::size_t which = 0; which < std::size(kCurves); ++which) {
     const auto& [file, title, label] = kCurves[which];
-    Plot plot{title, "time, world units at speed 1", label, {{"mean over orbits and times", {}}}};
+    Plot plot{title, "time, world units at speed 1", label, {{"mean over orbits and times"}}};
     for (std::size_t i = 0; i < all.times.lags; ++i)
       plot.series[0].points.push_back(all.lags.point(which, i, all.times.lag(i)));
     add_plot(result, file, plot, context.threads);

@@ -26,12 +26,12 @@ struct Plot {
   static Point gap() { return {std::numeric_limits<double>::quiet_NaN(), 0}; }
   struct Series {
     std::string name;  ///< in the legend; "" is not
-    std::vector<Point> points;
+    std::vector<Point> points{};
     bool marks = false;  ///< points with their intervals; else a line
     std::string ink{};   ///< instead of the next one of series_ink
     double width = 1.5;  ///< of the line; half of the radius of a mark
   };
-  std::vector<Series> series;
+  std::vector<Series> series{};
   bool log_y = false;     ///< points with y <= 0 are left out
   bool log_x = false;     ///< likewise
   std::string caption{};  ///< below

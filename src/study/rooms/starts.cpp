@@ -45,8 +45,4 @@ RatioSums StartSums::all() const {
   return all;
 }
 
-void StartSums::append_to(SumList& list) {
-  for (RatioSums& one : sums_) one.append_to(list);
-}
-
 }  // namespace flatray

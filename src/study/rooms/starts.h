@@ -35,7 +35,7 @@ class StartSums {
   void add(std::uint64_t number, double x, double y);
   RatioSums all() const;
 
-  void append_to(SumList& list);
+  void append_to(SumList& list) { append(list, sums_); }
 
  private:
   static std::size_t samples_of(Starts starts) { return starts == Starts::random ? 1 : kShifts; }

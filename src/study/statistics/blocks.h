@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <span>
+#include <type_traits>
 
 #include "study/experiment.h"
 
@@ -24,8 +25,25 @@ Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
                          const std::function<Numbers(std::size_t)>& task,
                          const std::function<void(Numbers&&)>& take);
 
-/// Numbers that blocks add up, where they stand: each type that has some lists them in one order.
+/// Numbers that blocks add up, where they stand.
 using SumList = std::vector<double*>;
+/// Adds those of a part: a number, what has append_to() for its own, or a range of such parts.
+template <class Part>
+void append(SumList& list, Part& part) {
+  if constexpr (std::is_same_v<Part, double>)
+    list.push_back(&part);
+  else if constexpr (requires { part.append_to(list); })
+    part.append_to(list);
+  else
+    for (auto& one : part) append(list, one);
+}
+/// Those of some parts, one after the other.
+template <class... Parts>
+SumList sums_of(Parts&... parts) {
+  SumList all;
+  (append(all, parts), ...);
+  return all;
+}
 Numbers numbers_of(const SumList& sums);
 /// Needs   what numbers_of() gives of an equal list.
 void add(const SumList& sums, std::span<const double> numbers);

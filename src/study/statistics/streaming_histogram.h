@@ -24,9 +24,7 @@ class StreamingHistogram {
   /// all.
   double chi_squared_of_even() const;
 
-  void append_to(SumList& list) {
-    for (double& count : counts_) list.push_back(&count);
-  }
+  void append_to(SumList& list) { append(list, counts_); }
 
  private:
   double from(std::size_t bin) const { return low_ + width_ * static_cast<double>(bin); }

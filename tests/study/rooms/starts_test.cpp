@@ -53,11 +53,8 @@ TEST(StartSums, TakeEachRandomOrbitAndEachShiftForASample) {
   EXPECT_EQ(quasi.all().samples, kShifts);
   EXPECT_EQ(random.all().ratio(), quasi.all().ratio());
   StartSums read(Starts::quasi);
-  SumList from, to;
-  quasi.append_to(from);
-  read.append_to(to);
-  ASSERT_EQ(from.size(), to.size());
-  add(to, numbers_of(from));
+  ASSERT_EQ(sums_of(quasi).size(), sums_of(read).size());
+  add(sums_of(read), numbers_of(sums_of(quasi)));
   EXPECT_EQ(read.all().standard_error(), quasi.all().standard_error());
 }
 

@@ -10,9 +10,7 @@ namespace {
 TEST(StreamingHistogram, CountsByBinAndWhatLiesAbove) {
   StreamingHistogram counts(0, 2, 4);
   for (const double number : {0.0, 0.25, 0.5, 1.75, 2.0, 99.0}) counts.add(number);
-  SumList bins;
-  counts.append_to(bins);
-  EXPECT_EQ(numbers_of(bins), (Numbers{2, 1, 0, 1, 2}));
+  EXPECT_EQ(numbers_of(sums_of(counts)), (Numbers{2, 1, 0, 1, 2}));
   EXPECT_EQ(counts.above(), 2);
   const Table table = counts.table();
   ASSERT_EQ(table.rows.size(), 5U);
@@ -21,8 +19,6 @@ TEST(StreamingHistogram, CountsByBinAndWhatLiesAbove) {
 
 TEST(StreamingHistogram, OfPartsIsThatOfTheWhole) {
   StreamingHistogram whole(0, 1, 8), parts(0, 1, 8);
-  SumList from, to;
-  parts.append_to(to);
   for (int part = 0; part < 3; ++part) {
     StreamingHistogram some(0, 1, 8);
     for (int i = 0; i < 100; ++i) {
@@ -30,12 +26,9 @@ TEST(StreamingHistogram, OfPartsIsThatOfTheWhole) {
       some.add(number);
       whole.add(number);
     }
-    some.append_to(from);
-    add(to, numbers_of(from));
-    from.clear();
+    add(sums_of(parts), numbers_of(sums_of(some)));
   }
-  whole.append_to(from);
-  EXPECT_EQ(numbers_of(to), numbers_of(from));
+  EXPECT_EQ(numbers_of(sums_of(parts)), numbers_of(sums_of(whole)));
 }
 
 // 3 and 5 where 4 each are even: 1/4 + 1/4.
