@@ -84,11 +84,11 @@ class PeriodicOrbits {
     for (std::size_t i = 0; i < room_.mirrors.size(); ++i)
       walls +=
           fmt::format("{}{} {}", i > 0 ? ", " : "", i + 1, wall_name(room_.mirrors[i].surface));
-    std::string words = fmt::format("Closed orbits of up to {} by the walls they bounce off: {}",
-                                    counted(symbols_, "bounce"), walls);
-    words += fmt::format("\n{} of the room, but for rounding; {}",
-                         counted(symmetries_.size(), "symmetry", "symmetries"), expansion_words_);
-    return words;
+    return fmt::format(
+        "Closed orbits of up to {} by the walls they bounce off: {}\n"
+        "{} of the room, but for rounding; {}",
+        counted(symbols_, "bounce"), walls, counted(symmetries_.size(), "symmetry", "symmetries"),
+        expansion_words_);
   }
 
   std::string wall_name(std::uint32_t surface) const {

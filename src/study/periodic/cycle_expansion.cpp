@@ -1,5 +1,6 @@
 #include "study/periodic/cycle_expansion.h"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <optional>
 
@@ -10,8 +11,10 @@ namespace {
 
 // The determinant cut off after `most` bounces, and its derivatives by the rates of bounces, of
 // lengths and of logarithms of eigenvalues.
+enum Rate { of_bounces, of_lengths, of_stretches };
 struct Determinant {
-  double value = 1, by_bounce = 0, by_length = 0, by_stretch = 0;
+  double value = 1;
+  Eigen::Array3d by{0, 0, 0};
 };
 
 // Terms by number of bounces, of which the determinant is exp(-sum): what multiplies one rate is
@@ -30,9 +33,7 @@ Determinant determinant(const std::vector<Cycle>& cycles, std::size_t most, doub
       const double weight = grown / std::fabs((1 - power) * (1 - 1 / power));
       Determinant& term = terms[r * cycle.bounces];
       term.value += weight / times;
-      term.by_bounce += weight * bounces;
-      term.by_length += weight * cycle.length;
-      term.by_stretch += weight * stretch;
+      term.by += weight * Eigen::Array3d(bounces, cycle.length, stretch);
     }
   }
   parts[0] = {};
@@ -43,14 +44,10 @@ Determinant determinant(const std::vector<Cycle>& cycles, std::size_t most, doub
       const double share = -static_cast<double>(k) / static_cast<double>(n);
       const Determinant &term = terms[k], &rest = parts[n - k];
       part.value += share * term.value * rest.value;
-      part.by_bounce += share * (term.by_bounce * rest.value + term.value * rest.by_bounce);
-      part.by_length += share * (term.by_length * rest.value + term.value * rest.by_length);
-      part.by_stretch += share * (term.by_stretch * rest.value + term.value * rest.by_stretch);
+      part.by += share * (term.by * rest.value + term.value * rest.by);
     }
     sum.value += part.value;
-    sum.by_bounce += part.by_bounce;
-    sum.by_length += part.by_length;
-    sum.by_stretch += part.by_stretch;
+    sum.by += part.by;
   }
   return sum;
 }
@@ -87,8 +84,8 @@ std::vector<CycleMeans> cycle_means(const std::vector<Cycle>& cycles, std::size_
         zero([&](double rate) { return determinant(cycles, n, 0, rate).value; }, kStep);
     if (!per_length || !per_bounce) continue;
     const Determinant at = determinant(cycles, n, *per_length, 0);
-    all.push_back(
-        {n, *per_length, *per_bounce, at.by_length / at.by_bounce, at.by_stretch / at.by_length});
+    all.push_back({n, *per_length, *per_bounce, at.by[of_lengths] / at.by[of_bounces],
+                   at.by[of_stretches] / at.by[of_lengths]});
   }
   return all;
 }

@@ -16,11 +16,8 @@ Proof between_ends(const Near& part) { return is_positive(part) & is_positive(Ne
 Proof is_met(const Segment& wall, bool from_it, bool to_it, const Chord& chord) {
   const Pair<Near> a = near(wall.a), b = near(wall.b), along = b - a, way = chord.to - chord.from;
   if (from_it || to_it) return Proof::no;  // the bounce there has been found to turn away from it
-  const auto differ = [](const Near& one, const Near& other) {
-    return (is_positive(one) & is_positive(-other)) | (is_positive(-one) & is_positive(other));
-  };
-  return differ(cross(way, a - chord.from), cross(way, b - chord.from)) &
-         differ(cross(along, chord.from - a), cross(along, chord.to - a));
+  return are_opposite(cross(way, a - chord.from), cross(way, b - chord.from)) &
+         are_opposite(cross(along, chord.from - a), cross(along, chord.to - a));
 }
 
 Proof is_met_at(const Arc& wall, const Chord& chord, const Near& part) {

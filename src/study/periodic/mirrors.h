@@ -54,6 +54,10 @@ inline Proof operator&(Proof a, Proof b) {
   return a == Proof::yes && b == Proof::yes ? Proof::yes : Proof::open;
 }
 inline Proof operator|(Proof a, Proof b) { return !((!a) & (!b)); }
+/// Whether one is positive and the other negative.
+inline Proof are_opposite(const Near& a, const Near& b) {
+  return (is_positive(a) & is_positive(-b)) | (is_positive(-a) & is_positive(b));
+}
 
 /// Whether a point of an arc's curve, given by an enclosure, lies on the arc, off its ends.
 Proof lies_on(const Arc& arc, const Pair<Near>& point);

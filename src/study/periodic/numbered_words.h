@@ -1,16 +1,17 @@
 #pragma once
 #include <span>
+#include <utility>
 
 #include "study/periodic/mirrors.h"
 
 namespace flatray {
 
-/// Words of so many bounces off discs, none of which follows itself, by number, and which follows
-/// which.
+/// Words of so many bounces off discs, none of which follows itself, by number in ascending order,
+/// and which follows which.
 class NumberedWords {
  public:
   NumberedWords(std::size_t discs, std::size_t bounces) : discs_(discs), bounces_(bounces) {
-    for (std::size_t k = 0; k + 2 < bounces; ++k) tails_ *= discs - 1;
+    for (std::size_t k = 1; k < bounces; ++k) tails_ = std::exchange(rests_, rests_ * ways_on());
   }
   /// Bounces of words of which there are no more than so many; 64 at most.
   static std::size_t most_bounces(std::size_t discs, std::size_t most_words) {
@@ -26,16 +27,16 @@ class NumberedWords {
   /// Those without their last bounce.
   std::size_t starts() const { return discs_ * tails_; }
   std::size_t ways_on() const { return discs_ - 1; }
-  std::size_t size() const { return starts() * ways_on(); }
+  std::size_t size() const { return discs_ * rests_; }
   std::size_t bounces() const { return bounces_; }
   /// The word without its first bounce.
   std::size_t end_of(std::size_t word) const {
-    const std::size_t rest = word % (tails_ * ways_on());
-    return next(word / (tails_ * ways_on()), rest / tails_) * tails_ + rest % tails_;
+    const std::size_t rest = word % rests_;
+    return next(word / rests_, rest / tails_) * tails_ + rest % tails_;
   }
   Word operator[](std::size_t number) const {
     Word word(bounces_);
-    std::size_t part = tails_ * ways_on();
+    std::size_t part = rests_;
     word[0] = static_cast<std::uint8_t>(number / part);
     for (std::size_t k = 1; k < bounces_; ++k) {
       number %= part;
@@ -57,7 +58,8 @@ class NumberedWords {
     return place < disc ? place : place + 1;
   }
 
-  std::size_t discs_, bounces_, tails_ = 1;
+  std::size_t discs_, bounces_;
+  std::size_t rests_ = 1, tails_ = 1;  // ways to go on from the first bounce, and from the second
 };
 
 }  // namespace flatray

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMostShown = 7;  // as many as there are colours
 
 Plot::Series line_through(std::string name, const std::vector<Vec2>& points, bool closed) {
-  Plot::Series series{std::move(name), {}};
+  Plot::Series series{std::move(name)};
   for (const Vec2& point : points) series.points.push_back({point.x(), point.y()});
   if (closed) series.points.push_back(series.points.front());
   return series;
@@ -39,10 +39,8 @@ Plot::Point number_of(const MirrorRoom& room, std::size_t i, const std::vector<P
 }  // namespace
 
 Plot plot_of_orbits(const MirrorRoom& room, const std::vector<const ClosedOrbit*>& orbits) {
-  Plot plot{"The shortest periodic orbits, by their walls in order",
-            "x, world units",
-            "y, world units",
-            {}};
+  Plot plot{"The shortest periodic orbits, by their walls in order", "x, world units",
+            "y, world units"};
   plot.equal = true;
   Plot::Series numbers{"", {}, true, "axis", 0};
   for (std::size_t i = 0; i < room.mirrors.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+#include "study/periodic/numbered_words.h"
 #include "study/rooms/wall_places.h"
 
 namespace flatray {
@@ -80,22 +81,6 @@ Word closed_by(const Word& part, const Symmetry& by) {
   return whole;
 }
 
-// Words of so many letters, none of which follows itself, ascending.
-std::vector<Word> words_of(std::size_t letters, std::size_t length) {
-  std::vector<Word> all(1);  // that without letters
-  for (std::size_t n = 0; n < length; ++n) {
-    std::vector<Word> longer;
-    for (const Word& part : all)
-      for (std::size_t one = 0; one < letters; ++one) {
-        if (!part.empty() && part.back() == one) continue;
-        longer.push_back(part);
-        longer.back().push_back(static_cast<std::uint8_t>(one));
-      }
-    all = std::move(longer);
-  }
-  return all;
-}
-
 }  // namespace
 
 std::vector<Symmetry> symmetries(const MirrorRoom& room) {
@@ -153,7 +138,9 @@ std::optional<std::vector<ReducedWord>> reduced_words(const std::vector<Symmetry
                                                       std::size_t mirrors, std::size_t symbols) {
   std::set<Word> seen;
   std::vector<ReducedWord> found;
-  for (const Word& part : words_of(mirrors, symbols))
+  const NumberedWords parts(mirrors, symbols);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Word part = parts[i];
     for (const Symmetry& by : all) {
       if (by.to[part.front()] == part.back()) continue;
       const Word whole = closed_by(part, by);
@@ -168,6 +155,7 @@ std::optional<std::vector<ReducedWord>> reduced_words(const std::vector<Symmetry
       if (!repeats && seen.insert(std::move(least)).second)
         found.push_back({whole, symbols, whole.size() / symbols, by.turned});
     }
+  }
   return found;
 }
 

@@ -19,7 +19,7 @@ Proof is_between(const Near& number, const Near& low, const Near& high) {
 Proof is_on_side(const Mirror& mirror, const Near& in, const Near& out) {
   if (mirror.side)
     return is_positive(signed_by(*mirror.side, in)) & is_positive(signed_by(*mirror.side, out));
-  return (is_positive(in) & is_positive(out)) | (is_positive(-in) & is_positive(-out));
+  return are_opposite(in, -out);
 }
 
 // Rows of a matrix of which what is across a ray is changed, and its angle.
@@ -89,9 +89,7 @@ void follow_straight(const MirrorRoom& room, const Chord& ends, Pair<Near> way,
     const Pair<Near> a = near(mirror.line.a), along = near(mirror.line.b) - a;
     const Near side = cross(along, chord.from - a), rate = cross(along, way), part = -side / rate;
     note(is_on_side(mirror, side, side), "comes from behind to");
-    const Near beyond = side + left * rate;
-    note((is_positive(side) & is_positive(-beyond)) | (is_positive(-side) & is_positive(beyond)),
-         "does not come to");
+    note(are_opposite(side, side + left * rate), "does not come to");
     chord.to = chord.from + part * way;
     chord.to_surface = mirror.surface;
     note(is_between(dot(chord.to - a, along), 0.0, dot(along, along)), "runs past an end of");
