@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "study/rooms/starts.h"
 
@@ -114,55 +115,47 @@ Table Exits::table() const {
   return table;
 }
 
-// Of all exits and of late ones in one of so many cells; what counts of independent orbits vary by,
-// 95 % of them.
-void Exits::add_counts(Plot& plot, double x, const std::array<double, 2>& counts,
-                       double cells) const {
+// Of all exits and of late ones, each at the x of its hole, place and sine; with what counts of
+// independent orbits vary by, 95 % of them.
+Plot Exits::plot_by(std::string title, std::string x_label,
+                    double (*x_of)(std::size_t hole, std::size_t place, std::size_t sine)) const {
   constexpr double kMost = 1.959963984540054;
-  const double sums[] = {left_, left_late_};
-  const bool conditional =
-      context_.starts == Starts::conditional;  // whose orbits are not independent
-  for (std::size_t k = 0; k < 2; ++k)
-    if (const double even = sums[k] / cells; even > 0)
-      plot.series[k].points.push_back(
-          {x, counts[k] / even, conditional ? 0 : kMost * std::sqrt(counts[k]) / even});
-}
-
-Plot Exits::plot_of_places() const {
-  Plot plot{"Where along the holes orbits leave",
-            "hole after hole, share of its length",
-            "exits, relative to an even spread",
-            {{"all", {}, false}, {"late", {}, false}}};
-  const double cells = static_cast<double>(kCells * holes_.size());
+  std::map<double, std::array<double, 2>> counts;  // by x
   for (std::size_t h = 0; h < holes_.size(); ++h)
-    for (std::size_t i = 0; i < kCells; ++i) {
-      double all = 0, late = 0;
+    for (std::size_t i = 0; i < kCells; ++i)
       for (std::size_t k = 0; k < kCells; ++k) {
+        auto& [all, late] = counts[x_of(h, i, k)];
         all += holes_[h].all[i][k];
         late += holes_[h].late[i][k];
       }
-      const double x = static_cast<double>(h) + (static_cast<double>(i) + 0.5) / kCells;
-      add_counts(plot, x, {all, late}, cells);
-    }
+  Plot plot{std::move(title),
+            std::move(x_label),
+            "exits, relative to an even spread",
+            {{"all", {}, false}, {"late", {}, false}}};
+  const double sums[] = {left_, left_late_};
+  const bool conditional =
+      context_.starts == Starts::conditional;  // whose orbits are not independent
+  for (const auto& [x, both] : counts)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (const double even = sums[k] / static_cast<double>(counts.size()); even > 0)
+        plot.series[k].points.push_back(
+            {x, both[k] / even, conditional ? 0 : kMost * std::sqrt(both[k]) / even});
   return plot;
 }
 
+Plot Exits::plot_of_places() const {
+  return plot_by("Where along the holes orbits leave", "hole after hole, share of its length",
+                 [](std::size_t hole, std::size_t place, std::size_t) {
+                   return static_cast<double>(hole) + (static_cast<double>(place) + 0.5) / kCells;
+                 });
+}
+
 Plot Exits::plot_of_sines() const {
-  Plot plot{"Under which angle orbits leave",
-            "sine of the angle to the hole's normal, positive along the walls",
-            "exits, relative to an even spread",
-            {{"all", {}, false}, {"late", {}, false}}};
-  for (std::size_t k = 0; k < kCells; ++k) {
-    double all = 0, late = 0;
-    for (const Hole& hole : holes_)
-      for (std::size_t i = 0; i < kCells; ++i) {
-        all += hole.all[i][k];
-        late += hole.late[i][k];
-      }
-    const double x = 2 * (static_cast<double>(k) + 0.5) / kCells - 1;
-    add_counts(plot, x, {all, late}, kCells);
-  }
-  return plot;
+  return plot_by("Under which angle orbits leave",
+                 "sine of the angle to the hole's normal, positive along the walls",
+                 [](std::size_t, std::size_t, std::size_t sine) {
+                   return 2 * (static_cast<double>(sine) + 0.5) / kCells - 1;
+                 });
 }
 
 }  // namespace flatray

@@ -40,7 +40,8 @@ class Exits {
   void add(const PixelOutcome& one, bool is_late);
   Measure mean(std::string name, const std::function<double(const PixelOutcome&)>& of,
                double from) const;
-  void add_counts(Plot& plot, double x, const std::array<double, 2>& counts, double cells) const;
+  Plot plot_by(std::string title, std::string x_label,
+               double (*x_of)(std::size_t hole, std::size_t place, std::size_t sine)) const;
 
   const ExperimentContext& context_;
   const Room& room_;
