@@ -166,10 +166,8 @@ std::ptrdiff_t count_shown(const ChoiceReport& report) {
 // All choices at once: units differ, so each error is told by the largest of its choice. Nothing
 // where that is the only one of each.
 std::string overview(std::span<const ChoiceReport> reports) {
-  Plot plot{"All choices: error against run time",
-            "seconds of processor time",
-            "error, of the largest of its choice",
-            {}};
+  Plot plot{"All choices: error against run time", "seconds of processor time",
+            "error, of the largest of its choice"};
   plot.log_x = plot.log_y = true;
   std::size_t number = 0;
   bool is_empty = true;
@@ -193,10 +191,8 @@ std::string overview(std::span<const ChoiceReport> reports) {
 bool has_plot(const ChoiceReport& report) { return count_shown(report) > 0; }
 
 std::string accuracy_plot(const ChoiceReport& report) {
-  Plot plot{fmt::format("{}: {}", report.name, name(report.kind)),
-            "seconds of processor time",
-            "error, " + report.unit,
-            {}};
+  Plot plot{fmt::format("{}: {}", report.name, name(report.kind)), "seconds of processor time",
+            "error, " + report.unit};
   plot.log_x = plot.log_y = true;
   bool by_number = false;
   for (const std::string& series : series_of(report.points)) {

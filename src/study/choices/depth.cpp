@@ -117,9 +117,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   made.unit = "share of the orbits that end whose end is not reached";
   made.reference = fmt::format(
       "{} orbits, one from anywhere in each pixel, followed for {} bounces, in which {} of them do "
-      "not end and are "
-      "left "
-      "out",
+      "not end and are left out",
       count, bounces, stay);
   if (bounces < kTruthBounces)
     made.cut = fmt::format("reference of {} bounces instead of {}", bounces, kTruthBounces);

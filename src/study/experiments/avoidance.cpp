@@ -84,8 +84,7 @@ Plot plot_of(const ExperimentContext& context, const Choices& choices, const Num
   const auto colour = [](double part) { return heat(0.1 + 0.6 * part); };
   Plot plot{"When " + entity_name(context.scene, 0) + " first meets another, by where it goes",
             "x of its place by the last frame, world units",
-            "y of its place by the last frame, world units",
-            {}};
+            "y of its place by the last frame, world units"};
   const auto light = [&](std::size_t i) {
     return times[i] == kFree ? kClear : colour(times[i] / duration);
   };
@@ -129,9 +128,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
       row.push_back(choices.first_time(choices.velocity(x, static_cast<int>(y))));
     return row;
   };
-  FLATRAY_TRY(rows, run_blocks(context, static_cast<std::size_t>(film.height), first_times));
   Numbers times;
-  for (const Numbers& row : *rows) times.insert(times.end(), row.begin(), row.end());
+  FLATRAY_TRY(ran, fold_blocks(context, static_cast<std::size_t>(film.height), first_times,
+                               [&](const Numbers& row) {
+                                 times.insert(times.end(), row.begin(), row.end());
+                               }));
   return results(context, choices, times);
 }
 

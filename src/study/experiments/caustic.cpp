@@ -7,7 +7,7 @@
 #include "base/portable_math.h"
 #include "study/plots/line_density.h"
 #include "study/plots/plot.h"
-#include "study/rooms/scene_orbits.h"
+#include "study/rooms/room.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
@@ -101,7 +101,7 @@ LineDensity empty_density(const Room& room, std::size_t paths) {
 }
 
 Plot plot_of(const Room& room, const LineDensity& density) {
-  Plot plot{"Where the lines of the paths lie", "x, world units", "y, world units", {}};
+  Plot plot{"Where the lines of the paths lie", "x, world units", "y, world units"};
   plot.map.emplace(Plot::Map{density.picture(), room.state().window});
   const double most = *std::max_element(density.cells().begin(), density.cells().end());
   const auto light = [&](double cell) { return 1 - portable::exp(-density.scale() * cell); };

@@ -5,7 +5,7 @@
 #include "base/counted.h"
 #include "study/plots/line_density.h"
 #include "study/plots/plot.h"
-#include "study/rooms/scene_orbits.h"
+#include "study/rooms/room.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
@@ -91,10 +91,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                 room.orbits().follow(std::span(&watched->starts[i], 1), bounces, crossed);
                 return crossed.numbers();
               }));
-  Plot plot{"Part of the room a path has crossed", "bounces", "portion of the cells", {}};
+  Plot plot{"Part of the room a path has crossed", "bounces", "portion of the cells"};
   std::vector<Measure> measures;
   for (std::size_t i = 0; i < found->size(); ++i) {
-    Plot::Series& series = plot.series.emplace_back(Plot::Series{watched->names[i], {}});
+    Plot::Series& series = plot.series.emplace_back(Plot::Series{watched->names[i]});
     const Numbers& numbers = (*found)[i];
     for (std::size_t k = 1; k < 1 + static_cast<std::size_t>(numbers.front()); k += 2)
       series.points.push_back({numbers[k], numbers[k + 1] / grid.count});

@@ -9,10 +9,9 @@
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
 #include "study/plots/plot.h"
-#include "study/rooms/scene_orbits.h"
+#include "study/rooms/room.h"
 #include "study/statistics/estimate.h"
 #include "study/statistics/line_fit.h"
-#include "transport/reflection.h"
 
 namespace flatray::divergence_experiment {
 namespace {
@@ -67,7 +66,7 @@ class Study {
     const std::uint64_t proven =
         proven_bounces(room_.walls(), trio.plain, room_.materials()).bounces;
     const std::size_t both = std::min(trio.exact.bounces.size(), trio.beside.bounces.size());
-    Plot::Series parted{name + ": neighbours", {}}, error{name + ": doubles", {}};
+    Plot::Series parted{name + ": neighbours"}, error{name + ": doubles"};
     // Of the logarithm of the distance; what the fit leaves is no error of the slope, as it is the
     // same way of one orbit.
     LineFit fit;

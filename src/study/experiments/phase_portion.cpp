@@ -49,19 +49,18 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
   FLATRAY_TRY(orbits, boundary_orbits(context, room, kRandomOrbits));
-  Plot plot{"Part of phase space an orbit comes to", "bounces", "portion of the cells", {}};
+  Plot plot{"Part of phase space an orbit comes to", "bounces", "portion of the cells"};
   std::vector<Measure> measures;
   const auto audit = watch_bounces(
       context, room, *orbits, Portions(), [&](std::size_t orbit, std::span<const double> curve) {
-        Plot::Series& series =
-            plot.series.emplace_back(Plot::Series{orbits->orbits.names[orbit], {}});
+        Plot::Series& series = plot.series.emplace_back(Plot::Series{orbits->orbits.names[orbit]});
         for (std::size_t i = 0; i < curve.size(); i += 2)
           series.points.push_back({curve[i], curve[i + 1]});
         measures.push_back({series.name, curve.empty() ? 0 : curve.back()});
       });
   if (!audit) return tl::unexpected(audit.error());
   if (!plot.series.empty()) {
-    Plot::Series even{"if it came everywhere alike", {}};
+    Plot::Series even{"if it came everywhere alike"};
     for (const Plot::Point& point : plot.series.front().points)
       even.points.push_back({point.x, filled(point.x)});
     if (!even.points.empty()) measures.push_back({"if_everywhere_alike", even.points.back().y});

@@ -150,10 +150,8 @@ Image light_of(const Section& section, const std::function<double(double)>& brig
 }
 
 Plot plot_of(const Section& section) {
-  Plot plot{"Bounces by place along the walls and angle",
-            "place, share of the length of all walls",
-            "sine of the angle to the normal",
-            {}};
+  Plot plot{"Bounces by place along the walls and angle", "place, share of the length of all walls",
+            "sine of the angle to the normal"};
   const auto most = static_cast<double>(std::ranges::max(section.counts));
   const auto brightness = [&](double bounces) { return log_share(bounces, most); };
   plot.map.emplace(Plot::Map{light_of(section, brightness), {{0, -1}, {1, 1}}});

@@ -2,9 +2,7 @@
 #include <algorithm>
 
 #include "study/rooms/pixel_map.h"
-#include "study/rooms/scene_orbits.h"
 #include "study/rooms/wedge.h"
-#include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
 namespace flatray::reflections_experiment {

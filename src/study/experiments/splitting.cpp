@@ -137,8 +137,7 @@ class Report {
     for (std::size_t level = 0; level < plan_.levels; ++level) {
       const Measure left = share(level);
       const double n = static_cast<double>((level + 1) * plan_.bounces);
-      table.add(
-          {n, left.value, left.standard_error ? JsonValue(*left.standard_error) : JsonValue()});
+      table.add({n, left.value, left.standard_error});
       const auto half = half_interval(left);
       plot.series[half ? 0 : 1].points.push_back({n, left.value, half.value_or(0)});
     }
@@ -247,8 +246,8 @@ class Report {
   std::string headline() const {
     return fmt::format(
         "{} groups of {} orbits, split at {} levels of {} bounces; clones are turned by up to "
-        "{:.3g} at "
-        "their wall (--apart), {} times as far in {} groups: numbers are told as if none were",
+        "{:.3g} at their wall (--apart), {} times as far in {} groups: numbers are told as if none "
+        "were",
         kGroups, plan_.orbits, plan_.levels, plan_.bounces, plan_.apart, kFarther,
         kGroups / kOneIn);
   }

@@ -58,7 +58,7 @@ Plot::Bar bar_of(std::string label, double most, const std::function<LinearRgb(d
 }
 
 Plot plot_of(const HeatMap& map) {
-  Plot plot{map.title, map.x_label, map.y_label, {}};
+  Plot plot{map.title, map.x_label, map.y_label};
   const Range x = edges(map.x), y = edges(map.y);
   const auto light = [&](std::size_t i) {  // rows from the upper one on
     const std::size_t columns = map.x.size(), row = map.y.size() - 1 - i / columns;

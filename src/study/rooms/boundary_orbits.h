@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "study/rooms/followed.h"
-#include "study/rooms/scene_orbits.h"
 #include "study/statistics/blocks.h"
 
 namespace flatray {

@@ -6,7 +6,6 @@
 #include "base/counted.h"
 #include "base/parallel.h"
 #include "precise/certified_orbit.h"
-#include "study/rooms/starts.h"
 
 namespace flatray {
 namespace {

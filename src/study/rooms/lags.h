@@ -2,7 +2,7 @@
 #include <span>
 
 #include "geom/vec.h"
-#include "study/statistics/blocks.h"
+#include "study/experiment.h"
 
 namespace flatray {
 

@@ -149,7 +149,7 @@ Plot pixel_plot(const ExperimentContext& context, const Room& room, PixelMap usu
   const Film& film = context.scene.film;
   const Bounds& window = room.state().window;
   const double half = 0.5 * window.size().x();
-  Plot plot{"", "x of the start, world units", "y of the start, world units", {}};
+  Plot plot{"", "x of the start, world units", "y of the start, world units"};
   if (by_angle) {
     plot.x_label = "start on the line across the ray, world units from it";
     plot.y_label = "angle to the ray, degrees";

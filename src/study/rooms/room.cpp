@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anim/rays.h"
 #include "base/counted.h"
 #include "base/portable_math.h"
 #include "collide/pillars.h"
@@ -243,6 +244,35 @@ std::string owner_name(const Scene& scene, const SurfaceOwner& owner) {
   if (owner.kind == SurfaceOwner::Kind::chamber) return chamber_name(scene, owner.index);
   return name_or_number(scene.chambers[owner.index].pillars[owner.pillar].name, "pillar",
                         owner.pillar);
+}
+
+Result<NamedOrbits> orbits_to_watch(const ExperimentContext& context, const Room& room,
+                                    std::uint64_t random_orbits) {
+  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
+  NamedOrbits orbits;
+  Diagnostics outside;
+  for (const RayState& state : ray_states(context.scene, room.state())) {
+    const RayPath& ray = context.scene.rays[state.ray];
+    if (!room.has_start(state.start.origin))
+      outside.push_back({ray.where, called("ray", ray.name, ray.where) + " starts outside the room",
+                         "let it start in the chamber, and in none of its pillars",
+                         Trouble::invalid});
+    orbits.names.push_back(ray_name(context.scene, state.ray));
+    orbits.starts.push_back({state.start, {}, chance_of_orbit(context.seed, state.ray)});
+  }
+  if (!outside.empty()) return tl::unexpected(std::move(outside));
+  if (!orbits.starts.empty() && context.starts != Starts::random)
+    return fail(context.scene.rays.front().where,
+                "orbits are those of the scene's rays, none are drawn",
+                "leave --starts out, or the rays");
+  if (!orbits.starts.empty()) return orbits;
+  orbits.random = true;
+  for (std::uint64_t i = 0; i < random_orbits; ++i) {
+    const bool even = context.starts == Starts::quasi;
+    orbits.names.push_back(fmt::format("{} {}", even ? "quasi" : "random", i + 1));
+    orbits.starts.push_back(room.draw_start(context.seed, even ? i * kShifts : i, context.starts));
+  }
+  return orbits;
 }
 
 Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces) {

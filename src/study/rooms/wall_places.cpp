@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "geom/decide.h"
 #include "geom/predicates.h"
 
 namespace flatray {

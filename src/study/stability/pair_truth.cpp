@@ -155,8 +155,7 @@ class TouchFinder {
     const Bounds box = shape_bounds(shape(frame, entity), pose(state.at, state.angle, state.scale));
     Whereabouts place{box.centre(), box.size().norm(), {0, 0}, 0};
     if (frame + 1 == states_.size()) return place;
-    const double begin = static_cast<double>(frame) / scene_.fps,
-                 end = static_cast<double>(frame + 1) / scene_.fps;
+    const double begin = seconds_at(frame), end = seconds_at(frame + 1);
     std::vector<double> times = motion_.knots(entity, std::nullopt, begin, end);
     const bool whole = times.empty();
     times.push_back(end);
@@ -201,6 +200,7 @@ class TouchFinder {
     return pairs;
   }
 
+  double seconds_at(std::size_t frame) const { return static_cast<double>(frame) / scene_.fps; }
   const Shape& shape(std::size_t frame, std::uint32_t entity) const {
     return shape_of(scene_, states_[frame][entity]);
   }
@@ -248,8 +248,7 @@ class TouchFinder {
     const Whereabouts &one = places_[frame][a], &other = places_[frame][b];
     const Vec2 way = one.way - other.way;
     if (far_apart(one, other, one.strays + other.strays + way.norm())) return Answer::apart;
-    const double begin = static_cast<double>(frame) / scene_.fps,
-                 end = static_cast<double>(frame + 1) / scene_.fps;
+    const double begin = seconds_at(frame), end = seconds_at(frame + 1);
     std::vector<double> times = motion_.knots(a, std::nullopt, begin, end);
     const std::vector<double> others = motion_.knots(b, std::nullopt, begin, end);
     times.insert(times.end(), others.begin(), others.end());
