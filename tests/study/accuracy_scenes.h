@@ -1,4 +1,6 @@
 #pragma once
+#include "base/entry_named.h"
+#include "study/accuracy/accuracy.h"
 
 namespace flatray::testing {
 
@@ -15,5 +17,20 @@ at    = [0, 4.125]
 [[entity]]
 shape = { polygon = { points = [[24, 3.5], [24, 16], [12, 16]] } }
 )";
+
+/// What a choice comes to on a scene; nothing where this build has none of that name.
+inline ChoiceReport report_of(std::string_view name, const Scene& scene, double seconds = 10) {
+  const Choice* choice = entry_named(choices(), name);
+  return choice == nullptr ? ChoiceReport() : measure_choice(*choice, {scene, 1, 1, seconds});
+}
+
+/// What settings made up for a test come to, of any scene.
+inline ChoiceReport report_of(Result<ChoiceSettings> (*settings)(const AccuracyContext&),
+                              double seconds) {
+  const Choice choice{"made up", "?", ErrorKind::truncation,
+                      [](const Scene&) { return std::string(); }, settings};
+  const Scene scene;
+  return measure_choice(choice, {scene, 1, 1, seconds});
+}
 
 }  // namespace flatray::testing

@@ -1,9 +1,13 @@
 #pragma once
+#include <gtest/gtest.h>
+
 #include <stdexcept>
 
 #include "base/check.h"
+#include "base/entry_named.h"
 #include "scene/load.h"
 #include "study/experiment.h"
+#include "study/texts.h"
 
 namespace flatray::testing {
 
@@ -13,9 +17,14 @@ inline Scene scene_of(const std::string& text) {
   return std::move(loaded->scene);
 }
 
+/// A chamber with more of its keys.
+inline Scene chamber_with(const std::string& shape, const std::string& more,
+                          const std::string& film = "size = [32, 24]") {
+  return scene_of("film = { " + film + " }\n[[chamber]]\nshape = { " + shape + " }\n" + more);
+}
+
 inline Scene room(const std::string& shape, const std::string& pillars = "") {
-  return scene_of("film = { size = [32, 24] }\n[[chamber]]\nshape = { " + shape +
-                  " }\npillars = [" + pillars + "]\n");
+  return chamber_with(shape, "pillars = [" + pillars + "]\n");
 }
 
 inline Scene sinai(const std::string& radius) {
@@ -30,28 +39,57 @@ inline Scene stadium(const std::string& half_length = "1") {
 
 /// A chamber with holes in its walls.
 inline Scene with_holes(const std::string& shape, const std::string& holes) {
-  return scene_of("film = { size = [24, 20] }\n[[chamber]]\nname = \"room\"\nshape = { " + shape +
-                  " }\nholes = [" + holes + "]\n");
+  return chamber_with(shape, "name = \"room\"\nholes = [" + holes + "]\n", "size = [24, 20]");
 }
 
 /// Sinai's torus: a disc in a box of which opposite sides are one.
 inline Scene torus(const std::string& radius) {
-  return scene_of(
-      "film = { size = [32, 24] }\n[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n"
+  return chamber_with(
+      "box = { min = [0, 0], max = [1, 1] }",
       "material = \"periodic\"\npillars = [{ shape = { circle = { centre = [0.5, 0.5], radius = " +
-      radius + " } } }]\n");
+          radius + " } } }]\n");
+}
+
+/// A mirror in the open.
+inline std::string mirror_disc(const std::string& centre, const std::string& radius = "1") {
+  return "[[entity]]\nname = \"disc\"\nmaterial = \"mirror\"\nshape = { circle = { centre = [" +
+         centre + "], radius = " + radius + " } }\n";
+}
+
+/// Three discs of radius 1 with centres 6 apart.
+inline std::string three_discs_6_apart() {
+  return mirror_disc("3.4641016151377544, 0") + mirror_disc("-1.7320508075688772, 3") +
+         mirror_disc("-1.7320508075688772, -3");
 }
 
 inline const Experiment& experiment(const std::string& name) {
-  for (const Experiment* one : experiments())
-    if (name == one->name) return *one;
-  throw std::logic_error(name + " is not registered");
+  const Experiment* found = entry_named(experiments(), name);
+  FLATRAY_CHECK(found != nullptr, name + " is not registered");
+  return *found;
+}
+
+inline bool is_unavailable(const Result<ExperimentResult>& result) {
+  return !result && result.error().front().trouble == Trouble::unavailable;
 }
 
 inline ExperimentResult run(const std::string& name, const ExperimentContext& context) {
   auto result = experiment(name).run(context);
   FLATRAY_CHECK(result.has_value(), result ? "" : format(result.error()));
   return std::move(*result);
+}
+
+inline const std::string& content_of(const ExperimentResult& result, const std::string& file) {
+  for (const ExperimentResult::File& one : result.files)
+    if (one.name == file) return one.content;
+  throw std::logic_error("no file " + file);
+}
+
+inline void expect_same_files(const ExperimentResult& a, const ExperimentResult& b) {
+  ASSERT_EQ(a.files.size(), b.files.size());
+  for (std::size_t i = 0; i < a.files.size(); ++i) {
+    EXPECT_EQ(a.files[i].name, b.files[i].name);
+    EXPECT_EQ(a.files[i].content, b.files[i].content) << a.files[i].name;
+  }
 }
 
 inline Measure measure(const ExperimentResult& result, const std::string& name) {

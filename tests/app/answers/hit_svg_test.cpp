@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/answers/hit_report.h"
-#include "study/xml.h"
+#include "study/texts.h"
 #include "support/pictures.h"
 
 namespace flatray {

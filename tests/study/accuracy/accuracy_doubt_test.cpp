@@ -1,10 +1,11 @@
-// needs: shapes/box shapes/polygon
+// needs: shapes/box shapes/polygon choices/contact choices/motion
 // What is told of an error that the reference leaves in doubt.
 #include <gtest/gtest.h>
 
 #include "scene/scene_text.h"
 #include "study/accuracy/accuracy_report.h"
 #include "study/accuracy_scenes.h"
+#include "study/texts.h"
 
 namespace flatray {
 namespace {
@@ -29,8 +30,6 @@ TEST(Accuracy, AShareIsInDoubtThoughNoneIsWrong) {
   EXPECT_NEAR(share_of(7, 7).half, share_of(0, 7).half, 1e-15);
 }
 
-std::string applies_always(const Scene&) { return ""; }
-
 Result<ChoiceSettings> doubtful(const AccuracyContext&) {
   const auto setting = [](const char* words, double n, double error) {
     return Setting{words, n, [] {}, [error] { return Outcome{error}; }};
@@ -42,9 +41,7 @@ Result<ChoiceSettings> doubtful(const AccuracyContext&) {
 }
 
 TEST(Accuracy, AnErrorBelowTheDoubtOfTheReferenceIsAtMostThat) {
-  const Choice choice{"doubtful", "?", ErrorKind::truncation, &applies_always, &doubtful};
-  const Scene scene;
-  const ChoiceReport reports[] = {measure_choice(choice, {scene, 1, 1, 1e6})};
+  const ChoiceReport reports[] = {testing::report_of(&doubtful, 1e6)};
   const std::vector<AccuracyPoint>& points = reports[0].points;
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[0].outcome.error, 0.5);
@@ -52,18 +49,16 @@ TEST(Accuracy, AnErrorBelowTheDoubtOfTheReferenceIsAtMostThat) {
   EXPECT_EQ(points[1].outcome.error, 0.3);
   EXPECT_TRUE(points[1].outcome.at_most);
   const std::string summary = accuracy_report("scene", reports).summary;
-  EXPECT_NE(summary.find("<= 0.3"), std::string::npos);
-  EXPECT_NE(summary.find("nearer than the reference tells: near"), std::string::npos);
+  EXPECT_TRUE(testing::has(summary, "<= 0.3"));
+  EXPECT_TRUE(testing::has(summary, "nearer than the reference tells: near"));
 }
 
 TEST(Accuracy, OneOfManyPairsTellsNothing) {
   const Scene scene =
       loaded("flatray = 1\nfps = 1\nframes = 2\n" + std::string(testing::kBullet)).scene;
-  for (const Choice* choice : choices()) {
-    if (choice->name != std::string_view("contact") && choice->name != std::string_view("motion"))
-      continue;
-    const ChoiceReport report = measure_choice(*choice, {scene, 1, 1, 0});
-    ASSERT_NE(report.cut.find("reference for 2 pairs more"), std::string::npos) << report.cut;
+  for (const char* name : {"contact", "motion"}) {
+    const ChoiceReport report = testing::report_of(name, scene, 0);
+    ASSERT_TRUE(testing::has(report.cut, "reference for 2 pairs more"));
     for (const AccuracyPoint& one : report.points) {
       EXPECT_GT(one.outcome.half, 0.2) << one.setting;
       EXPECT_EQ(advice(report, one), "") << one.setting;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "study/accuracy/accuracy.h"
+#include "study/texts.h"
 
 namespace flatray {
 namespace {
@@ -16,10 +17,10 @@ TEST(AccuracyPage, APlotRingsWhatItShowsAndSaysWhatItCannot) {
   report.points.push_back({"wrong", 0.125, 0, 0, {0.5}});
   for (AccuracyPoint& point : report.points) point.best = true;
   const std::string text = accuracy_plot(report);
-  EXPECT_NE(text.find("Without any error: right, best under 1 s"), std::string::npos) << text;
-  EXPECT_EQ(text.find("Ringed"), std::string::npos);
+  EXPECT_TRUE(testing::has(text, "Without any error: right, best under 1 s"));
+  EXPECT_FALSE(testing::has(text, "Ringed"));
   report.points[0].outcome.error = 0.25;
-  EXPECT_NE(accuracy_plot(report).find("Ringed: right, best under 1 s"), std::string::npos);
+  EXPECT_TRUE(testing::has(accuracy_plot(report), "Ringed: right, best under 1 s"));
 }
 
 // Where each choice has one setting all of them would be 1.
@@ -28,9 +29,9 @@ TEST(AccuracyPage, HasAnOverviewWhereThereIsSomethingToCompare) {
   report.name = "made";
   report.points.push_back({"one", 0.25, 0, 0, {0.5}});
   const auto page = [&] { return accuracy_page("scene", {&report, 1}, std::nullopt); };
-  EXPECT_EQ(page().find("All choices: error"), std::string::npos);
+  EXPECT_FALSE(testing::has(page(), "All choices: error"));
   report.points.push_back({"two", 0.5, 0, 0, {0.25}});
-  EXPECT_NE(page().find("All choices: error"), std::string::npos);
+  EXPECT_TRUE(testing::has(page(), "All choices: error"));
 }
 
 }  // namespace

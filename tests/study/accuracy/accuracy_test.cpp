@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/capsule shapes/circle shapes/polygon shapes/segment
+// needs: shapes/box shapes/capsule shapes/circle shapes/polygon shapes/segment choices/contact choices/motion choices/tracer
 #include "study/accuracy/accuracy.h"
 
 #include <gtest/gtest.h>
@@ -68,18 +68,11 @@ TEST(FittedOrder, OfErrorsThatDoNotChangeIsNone) {
   EXPECT_FALSE(fit_order({point(1, 0.5), point(2, 0.5), point(4, 0.5)}));
 }
 
-ChoiceReport precision_in(const Scene& scene) {
-  for (const Choice* choice : choices())
-    if (choice->name == std::string("precision"))
-      return measure_choice(*choice, {scene, 1, 1, 1e6});
-  return {};
-}
-
 // By tangents: experiment lyapunov.
 TEST(Accuracy, ErrorOfOrbitsGrowsByTheLyapunovExponentOfTheirRoom) {
   if (!can_certify()) GTEST_SKIP() << "there is no MPFR";
   for (const Scene& scene : {testing::sinai("0.3"), testing::stadium()}) {
-    const ChoiceReport report = precision_in(scene);
+    const ChoiceReport report = testing::report_of("precision", scene, 1e6);
     ASSERT_EQ(report.orders.size(), 1U) << report.left_out;
     EXPECT_EQ(report.orders[0].law, Law::exponential);
     const Measure exponent =
@@ -92,14 +85,12 @@ TEST(Accuracy, ErrorOfOrbitsInAPolygonGrowsLikeAPower) {
   if (!can_certify()) GTEST_SKIP() << "there is no MPFR";
   const Scene scene =
       testing::room("polygon = { points = [[0, 0], [4, 0], [5, 2], [2, 4], [-1, 2]] }");
-  const ChoiceReport report = precision_in(scene);
+  const ChoiceReport report = testing::report_of("precision", scene, 1e6);
   ASSERT_EQ(report.orders.size(), 1U) << report.left_out;
   EXPECT_EQ(report.orders[0].law, Law::power);
   EXPECT_GT(report.orders[0].slope, 0.5);
   EXPECT_LT(report.orders[0].slope, 2);
 }
-
-std::string always(const Scene&) { return ""; }
 
 void spin(double seconds) {
   for (const double end = processor_seconds() + seconds; processor_seconds() < end;) {
@@ -117,9 +108,7 @@ Result<ChoiceSettings> three(const AccuracyContext&) {
 }
 
 TEST(Accuracy, BestIsWhatNoOtherSettingBeatsInBothTimeAndError) {
-  const Choice choice{"three", "?", ErrorKind::truncation, &always, &three};
-  const Scene scene;
-  const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 1e6});
+  const ChoiceReport report = testing::report_of(&three, 1e6);
   ASSERT_EQ(report.points.size(), 3U);
   EXPECT_TRUE(report.points[0].best);
   EXPECT_FALSE(report.points[1].best);
@@ -129,9 +118,7 @@ TEST(Accuracy, BestIsWhatNoOtherSettingBeatsInBothTimeAndError) {
 }
 
 TEST(Accuracy, WhatTheBudgetCutsIsNamed) {
-  const Choice choice{"three", "?", ErrorKind::truncation, &always, &three};
-  const Scene scene;
-  const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 1e-9});
+  const ChoiceReport report = testing::report_of(&three, 1e-9);
   EXPECT_EQ(report.points.size(), 1U);
   EXPECT_EQ(report.cut, "long and far, long and near");
 }
@@ -145,9 +132,7 @@ Result<ChoiceSettings> dear(const AccuracyContext& context) {
 }
 
 TEST(Accuracy, TheBudgetIsOfTheReferenceToo) {
-  const Choice choice{"dear", "?", ErrorKind::truncation, &always, &dear};
-  const Scene scene;
-  const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 0.04});
+  const ChoiceReport report = testing::report_of(&dear, 0.04);
   EXPECT_GT(report.reference_seconds, 0.049);
   EXPECT_GE(report.seconds, report.reference_seconds);
   EXPECT_EQ(report.points.size(), 1U);
@@ -156,15 +141,11 @@ TEST(Accuracy, TheBudgetIsOfTheReferenceToo) {
 }
 
 TEST(Accuracy, WhatIsMissingHereIsNamedWithItsReason) {
-  const Choice choice{"dear", "?", ErrorKind::truncation, &always, &dear};
-  const Scene scene;
-  const ChoiceReport reports[] = {measure_choice(choice, {scene, 1, 1, 1e6})};
+  const ChoiceReport reports[] = {testing::report_of(&dear, 1e6)};
   const ExperimentResult result = accuracy_report("scene", reports);
-  EXPECT_NE(result.summary.find("not here: far: no road"), std::string::npos);
-  for (const ExperimentResult::File& file : result.files)
-    if (file.name == "accuracy.json" || file.name == "accuracy.html") {
-      EXPECT_NE(file.content.find("far: no road"), std::string::npos) << file.name;
-    }
+  EXPECT_TRUE(testing::has(result.summary, "not here: far: no road"));
+  for (const char* name : {"accuracy.json", "accuracy.html"})
+    EXPECT_TRUE(testing::has(testing::content_of(result, name), "far: no road")) << name;
 }
 
 TEST(Accuracy, TheBestUnderASecondAndTheCheapestUnderAThousandthAreMarked) {
@@ -190,48 +171,37 @@ TEST(Accuracy, TheRangeOfTimesIsUnknownAfterOneRound) {
   report.rounds = 1;
   report.points.push_back({"once", 0, 0.5, 0, {0.1}});
   const auto file = [&](const char* name) {
-    const ExperimentResult result = accuracy_report("scene", {&report, 1});
-    for (const ExperimentResult::File& one : result.files)
-      if (one.name == name) return one.content;
-    return std::string();
+    return testing::content_of(accuracy_report("scene", {&report, 1}), name);
   };
-  EXPECT_NE(file("accuracy.csv").find("0.5,unknown,"), std::string::npos);
-  EXPECT_NE(file("accuracy.html").find("<td>0.5</td>"), std::string::npos);
+  EXPECT_TRUE(testing::has(file("accuracy.csv"), "0.5,unknown,"));
+  EXPECT_TRUE(testing::has(file("accuracy.html"), "<td>0.5</td>"));
   report.rounds = 3;
   report.points[0].spread = 0.25;
-  EXPECT_NE(file("accuracy.csv").find("0.5,0.25,"), std::string::npos);
-  EXPECT_NE(file("accuracy.html").find("<td>0.5 &plusmn; 0.2</td>"), std::string::npos);
-  EXPECT_NE(accuracy_report("scene", {&report, 1}).summary.find("half_range"), std::string::npos);
-}
-
-// 20 rays of each tracer of this build, against arithmetic that none of them has.
-TEST(Accuracy, ExactTracersAreRightByTheIndependentReference) {
-  const Scene scene =
-      loaded(
-          "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n"
-          "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n"
-          "[[entity]]\nshape = { box = { min = [3, 2], max = [9, 7] } }\n")
-          .scene;
-  for (const Choice* choice : choices()) {
-    if (std::string_view(choice->name) != "tracer") continue;
-    const ChoiceReport report = measure_choice(*choice, {scene, 1, 1, 0.5});
-    EXPECT_NE(report.reference.find("oracle/long_orbit"), std::string::npos);
-    for (const AccuracyPoint& one : report.points)
-      if (one.setting == "--tracer exact" || one.setting == "--tracer brute") {
-        EXPECT_EQ(one.outcome.error, 0) << one.setting;
-      }
-  }
+  EXPECT_TRUE(testing::has(file("accuracy.csv"), "0.5,0.25,"));
+  EXPECT_TRUE(testing::has(file("accuracy.html"), "<td>0.5 &plusmn; 0.2</td>"));
+  EXPECT_TRUE(testing::has(accuracy_report("scene", {&report, 1}).summary, "half_range"));
 }
 
 constexpr const char* kHead =
     "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n";
+const std::string kDisc =
+    "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n";
+const std::string kBox = "[[entity]]\nshape = { box = { min = [3, 2], max = [9, 7] } }\n";
 
 ChoiceReport report_of(std::string_view name, const std::string& text, double seconds = 10) {
-  const Scene scene = loaded(kHead + text).scene;
-  for (const Choice* choice : choices())
-    if (name == choice->name) return measure_choice(*choice, {scene, 1, 1, seconds});
-  return {};
+  return testing::report_of(name, loaded(kHead + text).scene, seconds);
 }
+
+// 20 rays of each tracer of this build, against arithmetic that none of them has.
+TEST(Accuracy, ExactTracersAreRightByTheIndependentReference) {
+  const ChoiceReport report = report_of("tracer", kDisc + kBox, 0.5);
+  EXPECT_TRUE(testing::has(report.reference, "oracle/long_orbit"));
+  for (const AccuracyPoint& one : report.points)
+    if (one.setting == "--tracer exact" || one.setting == "--tracer brute") {
+      EXPECT_EQ(one.outcome.error, 0) << one.setting;
+    }
+}
+
 // Of a point lamp in the open, with the root of random directions, with the 3/2 of those of a net.
 TEST(Accuracy, OfLightFallsAsItsSamplerSays) {
   const ChoiceReport report =
@@ -254,8 +224,7 @@ double error_of(const ChoiceReport& report, const std::string& setting) {
 }
 
 TEST(Accuracy, OfCoverageIsNothingWhereOutlinesLieBetweenPixels) {
-  const ChoiceReport report =
-      coverage_of("[[entity]]\nshape = { box = { min = [3, 2], max = [9, 7] } }\n");
+  const ChoiceReport report = coverage_of(kBox);
   EXPECT_EQ(error_of(report, "pixel centres"), 0);
   EXPECT_EQ(error_of(report, "exact area"), 0);
   EXPECT_EQ(error_of(report, "64 samples a pixel"), 0);
@@ -271,8 +240,7 @@ TEST(Accuracy, NoSamplesAreNearerToABoxThanItsExactArea) {
 }
 
 TEST(Accuracy, ExactAreaIsNearerThanFewSamplesToADisc) {
-  const ChoiceReport report =
-      coverage_of("[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n");
+  const ChoiceReport report = coverage_of(kDisc);
   const double area = error_of(report, "exact area");
   EXPECT_GT(area, 0);
   EXPECT_LT(area, error_of(report, "16 samples a pixel"));
@@ -281,16 +249,13 @@ TEST(Accuracy, ExactAreaIsNearerThanFewSamplesToADisc) {
 
 // Red over blue in one place: no blue shows at the rim.
 TEST(Accuracy, AreasOfThingsOnEachOtherAreThoseOfTheUppermost) {
-  const std::string disc =
-      "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n";
   const ChoiceReport report =
-      coverage_of(disc + "fill = \"#0000ff\"\n" + disc + "fill = \"#ff0000\"\n");
+      coverage_of(kDisc + "fill = \"#0000ff\"\n" + kDisc + "fill = \"#ff0000\"\n");
   EXPECT_LT(error_of(report, "exact area"), error_of(report, "16 samples a pixel"));
 }
 
 TEST(Accuracy, OfChordsFallsLikeTheSquareOfTheirNumber) {
-  const ChoiceReport report = report_of(
-      "flattening", "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n");
+  const ChoiceReport report = report_of("flattening", kDisc);
   ASSERT_EQ(report.orders.size(), 1U);
   EXPECT_NEAR(report.orders.front().slope, -2, 0.2);
   EXPECT_LT(error_of(report, "curves as they are"), 1e-4);
@@ -320,22 +285,16 @@ at    = [15.9, 4.525]
 
 void expect_that_instants_miss(const std::string& entities) {
   const Scene scene = loaded("flatray = 1\nfps = 1\nframes = 2\n" + entities).scene;
-  for (const Choice* choice : choices()) {
-    if (choice->name != std::string_view("contact") && choice->name != std::string_view("motion"))
-      continue;
-    const ChoiceReport report = measure_choice(*choice, {scene});
-    if (report.name == "contact") {
-      EXPECT_EQ(error_of(report, "--method minkowski"), 0);
-      EXPECT_GT(error_of(report, "--method boxes"), 0);
-      EXPECT_GT(error_of(report, "--method edge-rays"), 0);
-    }
-    if (report.name == "motion") {
-      EXPECT_EQ(error_of(report, "all instants"), 0);
-      EXPECT_GT(error_of(report, "1 instant a frame"), 0);
-      EXPECT_EQ(error_of(report, "64 instants a frame"), 0);
-    }
-    EXPECT_FALSE(error_parts(report, report.points.front())[3]) << "rounding is not defined";
-  }
+  const ChoiceReport contact = testing::report_of("contact", scene),
+                     motion = testing::report_of("motion", scene);
+  EXPECT_EQ(error_of(contact, "--method minkowski"), 0);
+  EXPECT_GT(error_of(contact, "--method boxes"), 0);
+  EXPECT_GT(error_of(contact, "--method edge-rays"), 0);
+  EXPECT_EQ(error_of(motion, "all instants"), 0);
+  EXPECT_GT(error_of(motion, "1 instant a frame"), 0);
+  EXPECT_EQ(error_of(motion, "64 instants a frame"), 0);
+  for (const ChoiceReport& report : {contact, motion})
+    EXPECT_FALSE(error_parts(report, report.points.at(0))[3]) << "rounding is not defined";
 }
 
 TEST(Accuracy, OfMotionIsWhatFliesByBetweenInstants) {
@@ -353,10 +312,8 @@ TEST(Accuracy, PartsThatAreNotDefinedAreSaidToBeSo) {
   const ErrorParts none = {std::nullopt, std::nullopt, 0.5, std::nullopt};
   EXPECT_EQ(error_parts(report, report.points[1]), none);
   const ExperimentResult result = accuracy_report("scene", {&report, 1});
-  EXPECT_NE(result.files.front().content.find(",0.125,not defined,0.25,not defined,"),
-            std::string::npos);
-  EXPECT_NE(result.summary.find("not defined for its error: truncation, rounding"),
-            std::string::npos);
+  EXPECT_TRUE(testing::has(result.files.front().content, ",0.125,not defined,0.25,not defined,"));
+  EXPECT_TRUE(testing::has(result.summary, "not defined for its error: truncation, rounding"));
 }
 
 TEST(Accuracy, OfDepthIsTheShareOfOrbitsThatAreStillInside) {
@@ -386,9 +343,9 @@ TEST(Accuracy, AChoiceASceneLacksIsLeftOutWithItsReason) {
     }
   const ExperimentResult result = accuracy_report("<&>", reports);
   const std::string& page = result.files.back().content;
-  EXPECT_NE(page.find("&lt;&amp;&gt;: error against run time"), std::string::npos);
+  EXPECT_TRUE(testing::has(page, "&lt;&amp;&gt;: error against run time"));
   EXPECT_EQ(page.find("http:"), page.find("http://www.w3.org"));  // a name, nothing to fetch
-  EXPECT_NE(page.find("src=\"data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+  EXPECT_TRUE(testing::has(page, "src=\"data:image/png;base64,iVBORw0KGgo"));
 }
 
 }  // namespace

@@ -16,15 +16,13 @@ TEST(BackendsExperiment, SaysThatSamplesExplainAllDifferences) {
       "= \"#c03020\"\n");
   const ExperimentResult result = run("backends", {scene});
   EXPECT_TRUE(result.holds);
-  EXPECT_NE(result.summary.find("all differences are those between exact areas and samples\n"),
-            std::string::npos)
-      << result.summary;
+  EXPECT_TRUE(has(result.summary, "all differences are those between exact areas and samples\n"));
   ASSERT_EQ(result.files.size(), 2U);
   const std::string& rows = result.files[0].content;
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + 2 * 3);
   for (const char* frame : {",1,4,", ",3,4,", ",5,4,", ",1,16,", ",3,16,", ",5,16,"})
-    EXPECT_NE(rows.find(frame), std::string::npos) << frame;
-  EXPECT_NE(result.files[1].content.find("\"faults\": 0"), std::string::npos);
+    EXPECT_TRUE(has(rows, frame)) << frame;
+  EXPECT_TRUE(has(result.files[1].content, "\"faults\": 0"));
 }
 
 }  // namespace

@@ -16,15 +16,7 @@ namespace {
 
 using namespace flatray::testing;
 
-Scene three_discs_6() {
-  const auto disc = [](const char* centre) {
-    return std::string(
-               "[[entity]]\nname = \"a\"\nmaterial = \"mirror\"\nshape = { circle = { centre = ") +
-           centre + ", radius = 1 } }\n";
-  };
-  return scene_of(disc("[3.4641016151377544, 0]") + disc("[-1.7320508075688772, 3]") +
-                  disc("[-1.7320508075688772, -3]"));
-}
+Scene three_discs_6() { return scene_of(three_discs_6_apart()); }
 
 struct Found {
   explicit Found(Scene scene_, std::size_t symbols)
@@ -205,26 +197,20 @@ TEST(PeriodicOrbits, EveryWordHasAnAnswer) {
 // An ellipse has its two axes, of one word: each line and each name is of one of them.
 TEST(Periodic, OrbitsOfOneWordAreNumbered) {
   const Scene scene = room("ellipse = { radii = [3, 2] }");
-  ExperimentContext context{scene};
-  context.symbols = 2;
-  std::map<std::string, std::string> files;
-  for (const auto& file : run("periodic", context).files) files[file.name] = file.content;
-  const std::string& table = files["periodic_orbits.csv"];
-  EXPECT_NE(table.find("\n11,1,2,proven,1,"), std::string::npos) << table;
-  EXPECT_NE(table.find("\n11,2,2,proven,1,"), std::string::npos) << table;
+  const ExperimentResult found = run("periodic", {.scene = scene, .symbols = 2});
+  const std::string& table = content_of(found, "periodic_orbits.csv");
+  const std::string& picture = content_of(found, "periodic.svg");
+  EXPECT_TRUE(has(table, "\n11,1,2,proven,1,"));
+  EXPECT_TRUE(has(table, "\n11,2,2,proven,1,"));
   for (const char* name : {">11 (1)</text>", ">11 (2)</text>"})
-    EXPECT_NE(files["periodic.svg"].find(name), std::string::npos) << name;
-  EXPECT_EQ(files["periodic.svg"].find(">11</text>"), std::string::npos);
+    EXPECT_TRUE(has(picture, name)) << name;
+  EXPECT_FALSE(has(picture, ">11</text>"));
 }
 
 // Discs that stand in a row: the middle one is in the way of the outer two.
 TEST(PeriodicOrbits, BehindADiscArePruned) {
-  const auto disc = [](const char* centre) {
-    return std::string(
-               "[[entity]]\nname = \"a\"\nmaterial = \"mirror\"\nshape = { circle = { centre = ") +
-           centre + ", radius = 1 } }\n";
-  };
-  const Found found(scene_of(disc("[0, 0]") + disc("[4, 0.25]") + disc("[8, 0]")), 3);
+  const Found found(scene_of(mirror_disc("0, 0") + mirror_disc("4, 0.25") + mirror_disc("8, 0")),
+                    3);
   EXPECT_EQ(found.of("12").verdict, Verdict::proven);
   EXPECT_EQ(found.of("23").verdict, Verdict::proven);
   EXPECT_EQ(found.of("13").verdict, Verdict::pruned);
@@ -234,12 +220,10 @@ TEST(PeriodicOrbits, BehindADiscArePruned) {
 // Source: Chaos: Classical and Quantum gives 0.4103384077693464893384613078192 for R : a = 6.
 TEST(CycleExpansion, GivesThePublishedEscapeRateOfThreeDiscs) {
   const Scene scene = three_discs_6();
-  ExperimentContext context{scene};
-  context.symbols = 7;
-  const ExperimentResult result = run("periodic", context);
+  const ExperimentResult result = run("periodic", {.scene = scene, .symbols = 7});
   EXPECT_NEAR(measure(result, "escape_rate").value, 0.4103384077693465, 1e-13);
-  EXPECT_NE(measure(result, "escape_rate").remark.find("proven: from"), std::string::npos);
-  EXPECT_NE(measure(result, "mean_flight").remark.find("not proven"), std::string::npos);
+  EXPECT_TRUE(has(measure(result, "escape_rate").remark, "proven: from"));
+  EXPECT_TRUE(has(measure(result, "mean_flight").remark, "not proven"));
 }
 
 // All words of two letters, each of length 1 and stretched by 3: what stays is 2/3 after each bounce.
@@ -260,36 +244,23 @@ TEST(CycleExpansion, HasTheZeroOfFreeWords) {
 
 TEST(Periodic, RefusesWhatItCannotProve) {
   const Scene scene = sinai("0.25"), other = torus("0.25");
-  ExperimentContext context{scene};
-  context.symbols = 20;
-  const auto words = experiment("periodic").run(context);
+  const auto words = experiment("periodic").run({.scene = scene, .symbols = 20});
   ASSERT_FALSE(words.has_value());
-  EXPECT_NE(words.error().front().message.find("more than 200000 words"), std::string::npos);
+  EXPECT_TRUE(has(words.error().front().message, "more than 200000 words"));
   EXPECT_FALSE(experiment("periodic").run({other}).has_value());
   const Scene dark = scene_of(
       "[[entity]]\nname = \"hole\"\nmaterial = \"absorb\"\n"
       "shape = { circle = { radius = 1 } }\n");
-  EXPECT_NE(experiment("periodic").run({dark}).error().front().message.find("no mirrors"),
-            std::string::npos);
+  EXPECT_TRUE(has(experiment("periodic").run({dark}).error().front().message, "no mirrors"));
 }
 
 // Orbits of three discs 6 apart, with a wall that absorbs from one point to another.
 ExperimentResult with_absorber(const char* from, const char* to) {
-  std::string text = fmt::format(
-      "[[entity]]\nname = \"exit\"\nmaterial = \"absorb\"\n"
-      "shape = {{ segment = {{ from = [{}], to = [{}] }} }}\n",
-      from, to);
-  for (const char* centre : {"3.4641016, 0", "-1.7320508, 3", "-1.7320508, -3"})
-    text += fmt::format(
-        "[[entity]]\nname = \"disc\"\nmaterial = \"mirror\"\n"
-        "shape = {{ circle = {{ centre = [{}], radius = 1 }} }}\n",
-        centre);
-  const Scene scene = scene_of(text);
-  ExperimentContext context{scene};
-  context.symbols = 4;
-  auto found = experiment("periodic").run(context);
-  EXPECT_TRUE(found.has_value());
-  return std::move(*found);
+  const Scene scene = scene_of(fmt::format("[[entity]]\nname = \"exit\"\nmaterial = \"absorb\"\n"
+                                           "shape = {{ segment = {{ from = [{}], to = [{}] }} }}\n",
+                                           from, to) +
+                               three_discs_6_apart());
+  return run("periodic", {.scene = scene, .symbols = 4});
 }
 
 double value_of(const ExperimentResult& result, const std::string& name) {
@@ -307,30 +278,22 @@ TEST(Periodic, WhatAbsorbsRulesOutWhatMeetsIt) {
   EXPECT_EQ(value_of(between, "orbits proven"), 3);
   EXPECT_EQ(value_of(between, "words pruned"), 5);
   EXPECT_NEAR(value_of(beside, "escape_rate"), 0.41033840776, 1e-6);
-  EXPECT_TRUE(beside.summary.find("are bounded by all words of 10 bounces") != std::string::npos)
-      << beside.summary;
-  EXPECT_EQ(between.summary.find("bounded"), std::string::npos);
+  EXPECT_TRUE(has(beside.summary, "are bounded by all words of 10 bounces"));
+  EXPECT_FALSE(has(between.summary, "bounded"));
 }
 
 // One that no orbit so short meets may stand in the way of longer ones.
 TEST(Periodic, WhatMayAbsorbLongerOrbitsLeavesNoBounds) {
   const ExperimentResult found = with_absorber("-1.75, 1.99", "-1.77, 1.9");
   EXPECT_EQ(value_of(found, "orbits proven"), 8);
-  EXPECT_NE(found.summary.find("no bounds of escape rates: a wall that is no mirror may stand"),
-            std::string::npos)
-      << found.summary;
+  EXPECT_TRUE(has(found.summary, "no bounds of escape rates: a wall that is no mirror may stand"));
 }
 
 // The same bytes whatever the number of threads.
 TEST(Periodic, DoesNotDependOnThreads) {
   const Scene scene = stadium();
-  ExperimentContext one{scene}, three{scene};
-  one.symbols = three.symbols = 4;
-  three.threads = 3;
-  const auto a = run("periodic", one), b = run("periodic", three);
-  ASSERT_EQ(a.files.size(), b.files.size());
-  for (std::size_t i = 0; i < a.files.size(); ++i)
-    EXPECT_TRUE(a.files[i].content == b.files[i].content);
+  expect_same_files(run("periodic", {.scene = scene, .symbols = 4}),
+                    run("periodic", {.scene = scene, .threads = 3, .symbols = 4}));
 }
 
 }  // namespace

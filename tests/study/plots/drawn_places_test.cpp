@@ -1,5 +1,4 @@
 // Where pictures of numbers have their marks: by their own axes, read back from the text.
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,12 +7,16 @@
 
 #include "geom/bounds.h"
 #include "image/png.h"
+#include "study/drawn_marks.h"
 #include "study/plots/plot.h"
 #include "study/plots/plot_axes.h"
 #include "study/plots/state_graph.h"
+#include "study/texts.h"
 
 namespace flatray {
 namespace {
+
+using namespace flatray::testing;
 
 // All places that a pattern of two numbers finds.
 std::vector<Vec2> places(const std::string& text, const std::string& pattern) {
@@ -90,15 +93,21 @@ TEST(Plot, LogarithmsAreEvenlySpacedAndTheirTicksArePowersOfTen) {
 }
 
 // Pieces of a drawing that hold words, as boxes of the widest letters.
-std::vector<Bounds> word_boxes(const Drawing& drawing) {
+std::vector<Bounds> word_boxes(const Drawing& drawing, const std::string& beginning = "") {
   std::vector<Bounds> boxes;
-  for (const auto& mark : drawing.marks)
-    if (const auto* words = std::get_if<Drawing::Words>(&mark); words && !words->upright) {
-      const double width = words_width(words->words);
-      const Vec2 low = words->at - Vec2(words->anchor * width, 6);
+  for (const auto& words : marks_of<Drawing::Words>(drawing))
+    if (!words.upright && words.words.starts_with(beginning)) {
+      const double width = words_width(words.words);
+      const Vec2 low = words.at - Vec2(words.anchor * width, 6);
       boxes.push_back({low, low + Vec2(width, 12)});
     }
   return boxes;
+}
+
+// Whether more than their borders have a point in common.
+bool overlap(const Bounds& a, const Bounds& b) {
+  return a.low.x() < b.high.x() && b.low.x() < a.high.x() && a.low.y() < b.high.y() &&
+         b.low.y() < a.high.y();
 }
 
 // Whatever way curves take, and however many there are: names stand below the axes.
@@ -114,9 +123,9 @@ TEST(Plot, TheLegendCoversNoCurveAndNoWordsOverlap) {
     const Drawing drawing = drawing_of(plot);
     const std::vector<Bounds> boxes = word_boxes(drawing);
     double lowest = 0;
-    for (const auto& mark : drawing.marks)
-      if (const auto* path = std::get_if<Drawing::Path>(&mark); path && path->points.size() > 5)
-        for (const Vec2& point : path->points) {
+    for (const auto& path : marks_of<Drawing::Path>(drawing))
+      if (path.points.size() > 5)
+        for (const Vec2& point : path.points) {
           lowest = std::max(lowest, point.y());
           for (const Bounds& box : boxes) EXPECT_FALSE(box.contains(point));
         }
@@ -126,9 +135,7 @@ TEST(Plot, TheLegendCoversNoCurveAndNoWordsOverlap) {
       EXPECT_LE(boxes[i].high.x(), drawing.size.x());
       EXPECT_LE(boxes[i].high.y(), drawing.size.y());
       for (std::size_t k = 0; k < i; ++k)
-        EXPECT_FALSE(boxes[i].low.x() < boxes[k].high.x() && boxes[k].low.x() < boxes[i].high.x() &&
-                     boxes[i].low.y() < boxes[k].high.y() && boxes[k].low.y() < boxes[i].high.y())
-            << i << " " << k;
+        EXPECT_FALSE(overlap(boxes[i], boxes[k])) << i << " " << k;
     }
   }
 }
@@ -142,24 +149,12 @@ TEST(Plot, LabelsOfPointsOverlapNothing) {
   plot.series[0].points.push_back({0, 0});
   plot.series[0].points.push_back({10, 10});
   const Drawing drawing = drawing_of(plot);
-  std::vector<Bounds> labels;
-  for (const auto& mark : drawing.marks)
-    if (const auto* words = std::get_if<Drawing::Words>(&mark);
-        words && words->words.starts_with("point")) {
-      const double width = words_width(words->words);
-      const Vec2 low = words->at - Vec2(words->anchor * width, 6);
-      labels.push_back({low, low + Vec2(width, 12)});
-    }
+  const std::vector<Bounds> labels = word_boxes(drawing, "point");
   ASSERT_EQ(labels.size(), 12U);
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k)
-      EXPECT_FALSE(
-          labels[i].low.x() < labels[k].high.x() && labels[k].low.x() < labels[i].high.x() &&
-          labels[i].low.y() < labels[k].high.y() && labels[k].low.y() < labels[i].high.y());
-    for (const auto& mark : drawing.marks) {
-      const auto* disc = std::get_if<Drawing::Disc>(&mark);
-      EXPECT_FALSE(disc != nullptr && labels[i].contains(disc->centre));
-    }
+    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(labels[i], labels[k]));
+    for (const auto& disc : marks_of<Drawing::Disc>(drawing))
+      EXPECT_FALSE(labels[i].contains(disc.centre));
   }
 }
 
@@ -168,12 +163,10 @@ TEST(Plot, IntervalsLieWithinTheAxes) {
   Plot plot{"t", "x", "y", {{"", {{1, 1, 0.5, "", 0.9}, {2, 5, 6, "", 3}}, true}}, true, true};
   std::vector<std::vector<Vec2>> bars;
   Bounds frame;
-  for (const auto& mark : drawing_of(plot).marks)
-    if (const auto* path = std::get_if<Drawing::Path>(&mark)) {
-      if (path->pen.stroke == "blue") bars.push_back(path->points);
-      if (path->closed && path->pen.stroke == "axis")
-        for (const Vec2& corner : path->points) frame.add(corner);
-    }
+  for (const auto& path : marks_of<Drawing::Path>(drawing_of(plot))) {
+    if (path.pen.stroke == "blue") bars.push_back(path.points);
+    if (path.closed && path.pen.stroke == "axis") frame.add(box_about(path.points));
+  }
   ASSERT_EQ(bars.size(), 4U);
   for (const auto& bar : bars)
     for (const Vec2& end : bar) EXPECT_TRUE(frame.contains(end)) << end.transpose();
@@ -186,9 +179,8 @@ TEST(Plot, LinesEndAtTheAxes) {
       "t", "x", "y", {{"", {{-5, 0.5}, {0.5, 0.5}, {0.5, 9}, Plot::gap(), {0.2, -3}, {0.2, 0.1}}}}};
   plot.window = Bounds{{0, 0}, {1, 1}};
   std::vector<std::vector<Vec2>> ways;
-  for (const auto& mark : drawing_of(plot).marks)
-    if (const auto* path = std::get_if<Drawing::Path>(&mark); path && path->pen.stroke == "blue")
-      ways.push_back(path->points);
+  for (const auto& path : marks_of<Drawing::Path>(drawing_of(plot)))
+    if (path.pen.stroke == "blue") ways.push_back(path.points);
   ASSERT_EQ(ways.size(), 2U);
   ASSERT_EQ(ways[0].size(), 3U);
   const Vec2 middle = ways[0][1];
@@ -247,7 +239,7 @@ TEST(Plot, AMapIsDrawnPixelByPixelInBothWriters) {
   EXPECT_GT(red, 1000U);
   EXPECT_EQ(red, blue);
   EXPECT_EQ(first_blue, last_red + 1);
-  EXPECT_NE(svg(drawing).find("<image"), std::string::npos);
+  EXPECT_TRUE(has(svg(drawing), "<image"));
   ExperimentResult result;
   add_plot(result, "map", plot, 1);
   ASSERT_EQ(result.files.size(), 2U);

@@ -3,19 +3,22 @@
 
 #include <cmath>
 
+#include "study/drawn_marks.h"
 #include "study/plots/plot.h"
+#include "study/texts.h"
 
 namespace flatray {
 namespace {
 
+using namespace flatray::testing;
+
 // Words of a drawing that stand upright, or that do not, as spans along their reading.
 std::vector<Range> word_spans(const Drawing& drawing, bool upright) {
   std::vector<Range> spans;
-  for (const auto& mark : drawing.marks)
-    if (const auto* words = std::get_if<Drawing::Words>(&mark);
-        words && words->upright == upright) {
-      const double width = words_width(words->words), at = upright ? words->at.y() : words->at.x();
-      spans.push_back({at - words->anchor * width, at + (1 - words->anchor) * width});
+  for (const auto& words : marks_of<Drawing::Words>(drawing))
+    if (words.upright == upright) {
+      const double width = words_width(words.words), at = upright ? words.at.y() : words.at.x();
+      spans.push_back({at - words.anchor * width, at + (1 - words.anchor) * width});
     }
   return spans;
 }
@@ -66,9 +69,9 @@ TEST(Plot, CurvesAreSeenOnTheirPaper) {
 TEST(Plot, LinesHaveTheIntervalsOfTheirPoints) {
   const Plot plot{"t", "x", "y", {{"", {{0, 1, 0.5}, {1, 2, 0.25}, {2, 2}}}}};
   std::vector<double> heights;
-  for (const auto& mark : drawing_of(plot).marks)
-    if (const auto* path = std::get_if<Drawing::Path>(&mark); path && path->pen.stroke == "blue")
-      heights.push_back(std::fabs(path->points[0].y() - path->points[1].y()));
+  for (const auto& path : marks_of<Drawing::Path>(drawing_of(plot)))
+    if (path.pen.stroke == "blue")
+      heights.push_back(std::fabs(path.points[0].y() - path.points[1].y()));
   ASSERT_EQ(heights.size(), 3U) << "two intervals and the line";
   EXPECT_NEAR(heights[0], 2 * heights[1], 1e-9);
 }
@@ -76,13 +79,13 @@ TEST(Plot, LinesHaveTheIntervalsOfTheirPoints) {
 TEST(Plot, NoLabelLiesOverAnInterval) {
   const Plot plot{"t", "x", "y", {{"s", {{5, 5, 0, "a label", 4}, {0, 0}, {10, 10}}, true}}};
   double interval = 0;
-  for (const auto& mark : drawing_of(plot).marks) {
-    if (const auto* path = std::get_if<Drawing::Path>(&mark); path && path->pen.stroke == "blue")
-      interval = path->points[0].y();
-    const auto* words = std::get_if<Drawing::Words>(&mark);
-    const bool is_label = words != nullptr && words->words == "a label";
-    EXPECT_TRUE(!is_label || std::fabs(words->at.y() - interval) > 7);
-  }
+  const Drawing drawing = drawing_of(plot);
+  for (const auto& path : marks_of<Drawing::Path>(drawing))
+    if (path.pen.stroke == "blue") interval = path.points[0].y();
+  for (const auto& words : marks_of<Drawing::Words>(drawing))
+    if (words.words == "a label") {
+      EXPECT_GT(std::fabs(words.at.y() - interval), 7);
+    }
   EXPECT_GT(interval, 0);
 }
 
@@ -90,10 +93,10 @@ TEST(Plot, NoLabelLiesOverAnInterval) {
 std::vector<std::string> words_below(const Drawing& drawing) {
   double row = 0;
   std::vector<std::string> found;
-  for (const auto& mark : drawing.marks)
-    if (const auto* words = std::get_if<Drawing::Words>(&mark); words && !words->bold) {
-      if (row == 0) row = words->at.y();
-      if (words->at.y() == row) found.push_back(words->words);
+  for (const auto& words : marks_of<Drawing::Words>(drawing))
+    if (!words.bold) {
+      if (row == 0) row = words.at.y();
+      if (words.at.y() == row) found.push_back(words.words);
     }
   return found;
 }
@@ -117,8 +120,8 @@ TEST(Plot, TicksFarFromTheOriginDoNotOverlap) {
 TEST(Plot, TheLegendNamesWhatIsShownAlone) {
   const Plot plot{"t", "x", "y", {{"some", {{1, 1}, {2, 2}}}, {"zeros", {{1, 0}, {2, 0}}}}, true};
   const std::string text = svg(plot);
-  EXPECT_NE(text.find(">some</text>"), std::string::npos);
-  EXPECT_EQ(text.find(">zeros</text>"), std::string::npos) << "no logarithm, no mark, no name";
+  EXPECT_TRUE(has(text, ">some</text>"));
+  EXPECT_FALSE(has(text, ">zeros</text>")) << "no logarithm, no mark, no name";
 }
 
 // Found by a caustic as bright as it gets at less than its largest number.
@@ -129,10 +132,8 @@ TEST(Plot, NumbersOfAColourBarDoNotOverlap) {
     plot.bar = bar_of("b", 101'500, &heat, [](double n) { return 1 - std::exp(-n / 100); });
     EXPECT_EQ(plot.bar->ticks.back().second, "1.015e5");
     std::vector<Drawing::Words> shown;
-    for (const auto& mark : drawing_of(plot).marks)
-      if (const auto* words = std::get_if<Drawing::Words>(&mark);
-          words && words->anchor == 0 && !words->upright)
-        shown.push_back(*words);
+    for (const auto& words : marks_of<Drawing::Words>(drawing_of(plot)))
+      if (words.anchor == 0 && !words.upright) shown.push_back(words);
     ASSERT_GE(shown.size(), 2U);
     EXPECT_EQ(shown.front().words, "0");
     EXPECT_EQ(shown.back().words, "1.015e5");

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "study/accuracy/accuracy.h"
+#include "study/accuracy_scenes.h"
 #include "study/chamber_scenes.h"
 #include "study/stability/stability.h"
 
@@ -36,12 +36,8 @@ TEST(Coverage, CountsWhatLiesBetweenPeriodicWalls) {
 
 // Without a ray of the scene, pixels stand for orbits about its middle, to the right.
 TEST(Escape, WithoutARayIsThatOfOneInTheMiddle) {
-  const std::string discs =
-      "film = { size = [24, 20], world = [[-2, -1], [4, 5]] }\n"
-      "[[entity]]\nname = \"a\"\nmaterial = \"mirror\"\nshape = { circle = { centre = [3, 0], "
-      "radius = 1 } }\n"
-      "[[entity]]\nname = \"b\"\nmaterial = \"mirror\"\nshape = { circle = { centre = [0, 4], "
-      "radius = 1 } }\n";
+  const std::string discs = "film = { size = [24, 20], world = [[-2, -1], [4, 5]] }\n" +
+                            mirror_disc("3, 0") + mirror_disc("0, 4");
   const Scene without = scene_of(discs),
               with = scene_of(discs + "[[ray]]\nat = [1, 2]\ndirection = [1, 0]\n");
   for (const PixelMap map : {PixelMap::angle, PixelMap::position}) {
@@ -52,13 +48,7 @@ TEST(Escape, WithoutARayIsThatOfOneInTheMiddle) {
     ASSERT_EQ(one.measures.size(), other.measures.size());
     for (std::size_t i = 0; i < one.measures.size(); ++i)
       EXPECT_NEAR(one.measures[i].value, other.measures[i].value, 1e-12) << one.measures[i].name;
-    const auto picture = [](const ExperimentResult& result) {
-      for (const auto& file : result.files)
-        if (file.name.find(".png") != std::string::npos) return file.content;
-      return std::string();
-    };
-    EXPECT_FALSE(picture(one).empty());
-    EXPECT_TRUE(picture(one) == picture(other));
+    EXPECT_TRUE(content_of(one, "escape.png") == content_of(other, "escape.png"));
   }
 }
 
@@ -83,16 +73,10 @@ TEST(EveryChamberExperiment, DrawsAsManyOrbitsAsItNeeds) {
 // The curve of a long orbit has points ever further apart, so that it stays small.
 TEST(PhasePortion, ACurveHasPointsByTheLogarithm) {
   const ExperimentResult result = run("phase-portion", {sinai("0.25"), 1, 1'000'000, 1, 5000});
-  for (const auto& file : result.files) {
-    if (file.name.find(".svg") == std::string::npos) continue;
-    const auto lines =
-        static_cast<std::size_t>(std::count(file.content.begin(), file.content.end(), 'L'));
-    EXPECT_GT(lines, 9U * 20);
-    EXPECT_LT(lines, 9U * 60);
-  }
+  const auto lines = std::ranges::count(content_of(result, "phase_portion.svg"), 'L');
+  EXPECT_GT(lines, 9 * 20);
+  EXPECT_LT(lines, 9 * 60);
 }
-
-std::string always(const Scene&) { return ""; }
 
 // Work that differs from run to run, in nine settings: what is told of each is the middle of all runs,
 // so that half of their range is never below 0.
@@ -110,9 +94,7 @@ Result<ChoiceSettings> uneven(const AccuracyContext&) {
 }
 
 TEST(Accuracy, SpreadsAreRanges) {
-  const Choice choice{"uneven", "?", ErrorKind::truncation, &always, &uneven};
-  const Scene scene;
-  const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 1e6});
+  const ChoiceReport report = report_of(&uneven, 1e6);
   EXPECT_GE(report.rounds, 3);
   ASSERT_EQ(report.points.size(), 9U);
   for (const AccuracyPoint& point : report.points) {

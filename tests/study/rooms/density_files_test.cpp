@@ -13,12 +13,6 @@ namespace {
 
 using namespace flatray::testing;
 
-const std::string& file(const ExperimentResult& result, const std::string& name) {
-  for (const auto& one : result.files)
-    if (one.name == name) return one.content;
-  throw std::out_of_range(name);
-}
-
 // The numbers of a CSV, without its first line.
 std::vector<std::vector<double>> rows_of(const std::string& csv) {
   std::vector<std::vector<double>> rows;
@@ -48,13 +42,13 @@ TEST(DensityFiles, OfThePoincareSectionCountTheListedBouncesPixelByPixel) {
   const ExperimentResult result = run("poincare", {scene, 3, 20'000, 2});
   constexpr std::size_t kWidth = 820, kHeight = 410;
   std::vector<std::uint64_t> counts(kWidth * kHeight);
-  for (const auto& point : rows_of(file(result, "poincare_points.csv"))) {
+  for (const auto& point : rows_of(content_of(result, "poincare_points.csv"))) {
     const auto x = std::min(kWidth - 1, static_cast<std::size_t>(point[2] * kWidth));
     const auto y = std::min(kHeight - 1, static_cast<std::size_t>((1 - point[3]) / 2 * kHeight));
     ++counts[y * kWidth + x];
   }
-  EXPECT_EQ(words_of(file(result, "poincare_density.npy")), counts);
-  const auto rows = rows_of(file(result, "poincare_density.csv"));
+  EXPECT_EQ(words_of(content_of(result, "poincare_density.npy")), counts);
+  const auto rows = rows_of(content_of(result, "poincare_density.csv"));
   ASSERT_EQ(rows.size(), kHeight);
   std::uint64_t sum = 0;
   for (std::size_t y = 0; y < kHeight; ++y)
@@ -78,7 +72,7 @@ TEST(DensityFiles, FlightsInACircleAreSpreadAsItsChordsAre) {
     return 1 - std::sqrt(1 - share * share);
   };
   double sum = 0, chi_squared = 0, bins = 0;
-  for (const auto& bin : rows_of(file(result, "mean_free_path_flights.csv"))) {
+  for (const auto& bin : rows_of(content_of(result, "mean_free_path_flights.csv"))) {
     sum += bin[2];
     const double expected = kFlights * (shorter(bin[1]) - shorter(bin[0]));
     if (expected == 0) {
@@ -91,7 +85,7 @@ TEST(DensityFiles, FlightsInACircleAreSpreadAsItsChordsAre) {
   EXPECT_EQ(sum, kFlights);
   ASSERT_GE(bins, 16);
   EXPECT_LT(chi_squared, bins + 5 * std::sqrt(2 * bins));
-  const auto words = words_of(file(result, "mean_free_path_flights.npy"));
+  const auto words = words_of(content_of(result, "mean_free_path_flights.npy"));
   std::uint64_t counted = 0;
   for (std::size_t i = 2; i < words.size(); i += 4) counted += words[i];
   EXPECT_EQ(static_cast<double>(counted), kFlights);
@@ -100,11 +94,7 @@ TEST(DensityFiles, FlightsInACircleAreSpreadAsItsChordsAre) {
 TEST(DensityFiles, AreTheSameForAnyNumberOfThreads) {
   const Scene scene = sinai("0.3");
   for (const char* name : {"poincare", "mean-free-path", "phase-portion"}) {
-    const ExperimentResult one = run(name, {scene, 3, 20'000, 1});
-    const ExperimentResult many = run(name, {scene, 3, 20'000, 3});
-    ASSERT_EQ(one.files.size(), many.files.size());
-    for (std::size_t i = 0; i < one.files.size(); ++i)
-      EXPECT_EQ(one.files[i].content, many.files[i].content) << one.files[i].name;
+    expect_same_files(run(name, {scene, 3, 20'000, 1}), run(name, {scene, 3, 20'000, 3}));
   }
 }
 

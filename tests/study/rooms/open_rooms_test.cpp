@@ -109,13 +109,7 @@ TEST(Recurrence, IsBackByKacsLemma) {
 }
 
 Scene three_discs_six_apart() {
-  std::string discs;
-  for (const char* centre :
-       {"[3.4641016151377544, 0]", "[-1.7320508075688772, 3]", "[-1.7320508075688772, -3]"})
-    discs += fmt::format(
-        "[[entity]]\nmaterial = \"mirror\"\nshape = {{ circle = {{ centre = {}, radius = 1 }} }}\n",
-        centre);
-  return scene_of("film = { size = [4, 4] }\n" + discs);
+  return scene_of("film = { size = [4, 4] }\n" + three_discs_6_apart());
 }
 
 // Rates of three discs 6 apart by cycle expansion (experiment periodic).
@@ -148,22 +142,20 @@ TEST(ConditionalStarts, LeaveExponentiallyFromTheFirstBounceOn) {
 
 TEST(ConditionalStarts, GiveTheRatesOfEscape) {
   const Scene scene = three_discs_six_apart();
-  const auto found = run("escape", {.scene = scene,
-                                    .count = 160'000,
-                                    .threads = 2,
-                                    .starts = Starts::conditional,
-                                    .precision = OrbitPrecision::fast});
+  ExperimentContext context{.scene = scene,
+                            .count = 160'000,
+                            .threads = 2,
+                            .starts = Starts::conditional,
+                            .precision = OrbitPrecision::fast};
+  const auto found = run("escape", context);
   const Measure by_bounce = measure(found, "escape_rate_per_bounce"),
                 by_length = measure(found, "escape_rate_per_length");
-  EXPECT_NE(by_bounce.remark.find("from bounce 0 to"), std::string::npos) << by_bounce.remark;
+  EXPECT_TRUE(has(by_bounce.remark, "from bounce 0 to"));
   EXPECT_NEAR(by_bounce.value, kRateByBounce, 4 * *by_bounce.standard_error);
   EXPECT_NEAR(by_length.value, kRateByLength, 4 * *by_length.standard_error);
   EXPECT_LT(*by_bounce.standard_error, 0.04);
-  const auto again = run("escape", {.scene = scene,
-                                    .count = 160'000,
-                                    .starts = Starts::conditional,
-                                    .precision = OrbitPrecision::fast});
-  EXPECT_EQ(again.files.front().content, found.files.front().content) << "on one thread";
+  context.threads = 1;
+  EXPECT_EQ(run("escape", context).files.front().content, found.files.front().content);
   EXPECT_LT(*by_length.standard_error, 0.02);
 }
 
@@ -179,10 +171,9 @@ TEST(ConditionalStarts, AreRefusedWhereOrbitsDoNotLeaveExponentially) {
                                                  .precision = OrbitPrecision::fast});
     return found ? "" : found.error().front().message;
   };
-  EXPECT_NE(refused(circle, 60'000, 400).find("(n + 1)^-"), std::string::npos)
-      << refused(circle, 60'000, 400);
-  EXPECT_NE(refused(closed, 4000, 50).find("cannot be told"), std::string::npos);
-  EXPECT_NE(refused(circle, 3000, 50).find("32 groups of 94 orbits"), std::string::npos);
+  EXPECT_TRUE(has(refused(circle, 60'000, 400), "(n + 1)^-"));
+  EXPECT_TRUE(has(refused(closed, 4000, 50), "cannot be told"));
+  EXPECT_TRUE(has(refused(circle, 3000, 50), "32 groups of 94 orbits"));
 }
 
 // Three discs 6 apart (Gaspard and Rice 1989 have a rate of 0.4103 by length), far beyond what is left of as many orbits without splitting.

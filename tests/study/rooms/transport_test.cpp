@@ -13,8 +13,8 @@ namespace {
 using namespace flatray::testing;
 
 Scene periodic(const std::string& cell, const std::string& discs) {
-  return scene_of("film = { size = [8, 8] }\n[[chamber]]\nmaterial = \"periodic\"\nshape = { " +
-                  cell + " }\npillars = [" + discs + "]\n");
+  return chamber_with(cell, "material = \"periodic\"\npillars = [" + discs + "]\n",
+                      "size = [8, 8]");
 }
 std::string disc(const std::string& centre) {
   return "{ shape = { circle = { centre = [" + centre + "], radius = 1 } } }";
@@ -84,7 +84,7 @@ TEST(Transport, OfAnInfiniteHorizonGrowsByTheLogarithmOfTime) {
       run("transport", {.scene = scene, .count = 200'000, .bounces = 512});
   const Measure slope = measure(result, "diffusion_per_log_time");
   EXPECT_FALSE(slope.standard_error);
-  EXPECT_NE(result.summary.find("there is no D"), std::string::npos);
+  EXPECT_TRUE(has(result.summary, "there is no D"));
   const double area = 1 - std::numbers::pi / 16, diagonal = std::sqrt(0.5) - 0.5;
   const double limit =
       (0.5 + 2 * diagonal * diagonal * std::sqrt(2.0)) / (2 * std::numbers::pi * area);
@@ -102,23 +102,20 @@ TEST(Transport, BetweenStraightWallsClaimsNoLaw) {
   EXPECT_FALSE(power.standard_error);
   EXPECT_GT(power.value, 0.8);
   EXPECT_LE(power.value, 2);
-  EXPECT_EQ(result.summary.find("log"), std::string::npos) << result.summary;
+  EXPECT_FALSE(has(result.summary, "log"));
 }
 
 TEST(Transport, IsRefusedWhereNothingSpreads) {
   const auto result = experiment("transport").run({.scene = sinai("0.25")});
   ASSERT_FALSE(result);
-  EXPECT_NE(format(result.error()).find("nothing diffuses"), std::string::npos);
+  EXPECT_TRUE(has(format(result.error()), "nothing diffuses"));
 }
 
 // Whatever the threads.
 TEST(Transport, HasTheSameBytesOnOneThreadAndOnThree) {
   const Scene scene = hexagonal();
-  const auto one = run("transport", {.scene = scene, .count = 20'000});
-  const auto three = run("transport", {.scene = scene, .count = 20'000, .threads = 3});
-  ASSERT_EQ(one.files.size(), three.files.size());
-  for (std::size_t i = 0; i < one.files.size(); ++i)
-    EXPECT_EQ(one.files[i].content, three.files[i].content) << one.files[i].name;
+  expect_same_files(run("transport", {.scene = scene, .count = 20'000}),
+                    run("transport", {.scene = scene, .count = 20'000, .threads = 3}));
 }
 
 }  // namespace

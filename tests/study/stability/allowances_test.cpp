@@ -8,6 +8,7 @@
 #include "collide/turning_contact.h"
 #include "oracle/turning_pairs.h"
 #include "study/chamber_scenes.h"
+#include "study/spoiled_tracer.h"
 #include "study/stability/leaks.h"
 #include "study/stability/pair_stability.h"
 #include "study/stability/scale_sweep.h"
@@ -103,28 +104,13 @@ TEST(Allowances, OfFloatsAreNotForWhatFliesThroughPillars) {
 
 // Every t some ulps too large.
 template <int ulps>
-class Late final : public Accelerator {
- public:
-  explicit Late(const Surfaces& walls)
-      : Accelerator(walls), right_(find_tracer("brute")->build(walls)) {}
-  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    right_->nearest(rays, hits);
-    for (NearestHit& hit : hits)
-      for (int i = 0; hit && i < ulps; ++i) hit.t = std::nextafter(hit.t, kInfinity);
-  }
-  std::size_t bytes() const override { return right_->bytes(); }
-
- private:
-  std::unique_ptr<Accelerator> right_;
-};
-template <int ulps>
-std::unique_ptr<Accelerator> build_late(const Surfaces& walls, Isa, unsigned) {
-  return std::make_unique<Late<ulps>>(walls);
+void make_late(std::span<NearestHit> hits) {
+  for (NearestHit& hit : hits)
+    for (int i = 0; hit && i < ulps; ++i) hit.t = std::nextafter(hit.t, kInfinity);
 }
 
 TEST(Allowances, OfSweepsAreOneUlp) {
-  const Tracer exact = {"exact", "", true, &build_late<0>},
-               late = {"late", "", true, &build_late<3>};
+  const Tracer exact = spoiled_by<&make_late<0>>(), late = spoiled_by<&make_late<3>>();
   const Tracer* const both[] = {&exact, &late};
   const SweepCell cell = sweep_cell(both, 3, 0, 0);
   EXPECT_EQ(cell.off[0], 0U);

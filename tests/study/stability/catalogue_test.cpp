@@ -4,6 +4,7 @@
 #include <string>
 
 #include "precise/certified_orbit.h"
+#include "study/spoiled_tracer.h"
 #include "study/stability/catalogue_check.h"
 #include "trace/many_rays.h"
 
@@ -44,28 +45,15 @@ const oracle::StiffCase& named(const std::vector<oracle::StiffCase>& cases, cons
 }
 
 // Another wall where it is asked for many rays at once.
-class WrongInBatches final : public Accelerator {
- public:
-  explicit WrongInBatches(const Surfaces& walls)
-      : Accelerator(walls), right_(find_tracer("brute")->build(walls)) {}
-  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    right_->nearest(rays, hits);
-    if (rays.size() <= kMostRaysOneByOne) return;
-    for (NearestHit& hit : hits)
-      if (hit) hit.surface = hit.surface == 0 ? 1 : 0;
-  }
-  std::size_t bytes() const override { return right_->bytes(); }
-
- private:
-  std::unique_ptr<Accelerator> right_;
-};
-std::unique_ptr<Accelerator> build_wrong(const Surfaces& walls, Isa, unsigned) {
-  return std::make_unique<WrongInBatches>(walls);
+void swap_walls_of_many(std::span<NearestHit> hits) {
+  if (hits.size() <= kMostRaysOneByOne) return;
+  for (NearestHit& hit : hits)
+    if (hit) hit.surface = hit.surface == 0 ? 1 : 0;
 }
 
 TEST(Catalogue, AsksEveryCaseAlsoInBatchesLongEnoughForLanes) {
   const std::vector<oracle::StiffCase> cases = oracle::catalogue();
-  const Tracer wrong = {"wrong in batches", "", true, &build_wrong};
+  const Tracer wrong = testing::spoiled_by<&swap_walls_of_many>();
   const Tracer* const asked[] = {&wrong};
   const CatalogueTally rays = check_case(named(cases, "B4"), asked).front();
   EXPECT_EQ(rays.wrong, rays.in_batches);

@@ -3,6 +3,7 @@
 
 #include "collide/meetings.h"
 #include "scene/scene_text.h"
+#include "study/texts.h"
 
 namespace flatray {
 namespace {
@@ -39,7 +40,7 @@ TEST(PairTruth, DoesNotTellWhatOnlyJustTouches) {
   const PairTruth truth = truth_of(scene_of(disc(0, 0, 1, "velocity = [10, 0]\n") + disc(5, 2, 1)));
   EXPECT_EQ(truth.grazing, 1U);
   EXPECT_TRUE(truth.compared.empty());
-  EXPECT_NE(truth.words().find("1 graze too closely to be told"), std::string::npos);
+  EXPECT_TRUE(testing::has(truth.words(), "1 graze too closely to be told"));
 }
 
 TEST(PairTruth, FollowsWhatTurnsBetweenFrames) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "study/plots/plot.h"
-#include "study/xml.h"
+#include "study/texts.h"
 
 namespace flatray {
 namespace {
@@ -43,7 +43,7 @@ TEST(HeatMap, HasTheColoursOfItsBar) {
   const Plot plot = plot_of(map);
   const std::string text = svg(plot);
   EXPECT_TRUE(testing::is_well_formed(text));
-  EXPECT_NE(text.find("&lt;t&gt;"), std::string::npos);
+  EXPECT_TRUE(testing::has(text, "&lt;t&gt;"));
   const Image& cells = plot.map->image;
   const auto colour = [&](int x, int y) {
     return std::vector<int>(cells.at(x, y), cells.at(x, y) + 3);

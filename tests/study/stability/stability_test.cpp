@@ -2,31 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "study/spoiled_tracer.h"
+
 namespace flatray {
 namespace {
 
-// Answers as `brute` does, but for what is done to them.
 template <void (*spoil)(NearestHit&)>
-class Spoiled final : public Accelerator {
- public:
-  explicit Spoiled(const Surfaces& walls)
-      : Accelerator(walls), right_(find_tracer("brute")->build(walls)) {}
-  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    right_->nearest(rays, hits);
-    for (NearestHit& hit : hits)
-      if (hit) spoil(hit);
-  }
-  std::size_t bytes() const override { return right_->bytes(); }
-
- private:
-  std::unique_ptr<Accelerator> right_;
-};
-
-template <void (*spoil)(NearestHit&)>
-std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
-  return std::make_unique<Spoiled<spoil>>(walls);
+void spoil_all(std::span<NearestHit> hits) {
+  for (NearestHit& hit : hits)
+    if (hit) spoil(hit);
 }
-
 void change_nothing(NearestHit&) {}
 void one_wall_up(NearestHit& hit) { ++hit.surface; }
 void one_ulp_up(NearestHit& hit) { hit.t = std::nextafter(hit.t, kInfinity); }
@@ -37,7 +22,7 @@ void miss(NearestHit& hit) { hit = {}; }
 
 template <void (*spoil)(NearestHit&)>
 StabilityTally tally_of() {
-  const Tracer tracer = {"spoiled", "", true, &build<spoil>};
+  const Tracer tracer = testing::spoiled_by<&spoil_all<spoil>>();
   const TracerInTier spoiled[] = {{&tracer}};
   return check_rays(spoiled, oracle::families()[0], 1, 0, 3 * oracle::kRaysAScene).front();
 }
@@ -81,7 +66,7 @@ TEST(StabilityTally, OneHitInAThousandMayBeFartherOffThanMost) {
 
 // Also within a scene: what comes before a ray and what comes from it on are all there is.
 TEST(Stability, FewerRaysAreTheFirstOfMore) {
-  const Tracer tracer = {"spoiled", "", true, &build<&miss>};
+  const Tracer tracer = testing::spoiled_by<&spoil_all<&miss>>();
   const TracerInTier spoiled[] = {{&tracer}};
   const auto check = [&](std::uint64_t first, std::uint64_t count) {
     return check_rays(spoiled, oracle::families()[0], 1, first, count).front();

@@ -5,20 +5,13 @@
 
 #include "full_counts.h"
 #include "study/chains.h"
-#include "study/experiment.h"
+#include "study/chamber_scenes.h"
 #include "study/statistics/chain_walks.h"
-#include "study/xml.h"
 
 namespace flatray {
 namespace {
 
 using namespace flatray::testing;
-
-const Experiment& markov() {
-  for (const Experiment* experiment : experiments())
-    if (std::string(experiment->name) == "markov") return *experiment;
-  throw std::logic_error("markov is not registered");
-}
 
 Scene scene_with(std::vector<MarkovChain> chains) {
   Scene scene;
@@ -29,17 +22,11 @@ Scene scene_with(std::vector<MarkovChain> chains) {
 
 Result<ExperimentResult> run(const Scene& scene, std::uint64_t seed, std::uint64_t count,
                              unsigned threads = 1) {
-  return markov().run({scene, seed, count, threads});
-}
-
-const std::string& file(const ExperimentResult& result, const char* name) {
-  for (const ExperimentResult::File& file : result.files)
-    if (file.name == name) return file.content;
-  throw std::logic_error(std::string(name) + " is missing");
+  return experiment("markov").run({scene, seed, count, threads});
 }
 
 nlohmann::json starts(const ExperimentResult& result) {
-  return nlohmann::json::parse(file(result, "markov.json"))["starts"];
+  return nlohmann::json::parse(content_of(result, "markov.json"))["starts"];
 }
 
 // Found by a reviewer: a step that is expected a hundredth of a time and taken once lies 9.9 standard errors off.
@@ -60,7 +47,8 @@ TEST(Markov, StepsHardlyEverTakenMayBeTaken) {
     const Result<ExperimentResult> result = run(scene, seed, 10'000);
     ASSERT_TRUE(result.has_value());
     EXPECT_TRUE(result->holds) << result->summary;
-    taken += nlohmann::json::parse(file(*result, "markov.json"))["largest_z"].get<double>() > 5;
+    taken +=
+        nlohmann::json::parse(content_of(*result, "markov.json"))["largest_z"].get<double>() > 5;
   }
   EXPECT_GE(taken, 1);
 }
@@ -110,7 +98,8 @@ TEST(Markov, TheStandardErrorCovers) {
 
 TEST(Markov, SeedsGiveDifferentWalks) {
   const Scene scene = scene_with(paper_chains());
-  EXPECT_NE(file(*run(scene, 1, 10'000), "markov.csv"), file(*run(scene, 2, 10'000), "markov.csv"));
+  EXPECT_NE(content_of(*run(scene, 1, 10'000), "markov.csv"),
+            content_of(*run(scene, 2, 10'000), "markov.csv"));
 }
 
 TEST(Markov, AnyNumberOfThreadsGivesTheSameFiles) {
@@ -118,11 +107,7 @@ TEST(Markov, AnyNumberOfThreadsGivesTheSameFiles) {
   const ExperimentResult one = run(scene, 3, 30'001, 1).value();
   for (const unsigned threads : {2U, 7U}) {
     const ExperimentResult many = run(scene, 3, 30'001, threads).value();
-    ASSERT_EQ(many.files.size(), one.files.size());
-    for (std::size_t i = 0; i < one.files.size(); ++i) {
-      EXPECT_EQ(many.files[i].name, one.files[i].name);
-      EXPECT_EQ(many.files[i].content, one.files[i].content);
-    }
+    expect_same_files(many, one);
     EXPECT_EQ(many.summary, one.summary);
   }
 }
@@ -139,14 +124,14 @@ TEST(Markov, ATableOfDrawsThatKeepsToOtherProbabilitiesIsFound) {
 
 TEST(Markov, ThePictureShowsEveryStateAndProbability) {
   const ExperimentResult result = run(scene_with(paper_chains()), 1, 1000).value();
-  const std::string& start = file(result, "markov_to_start.svg");
+  const std::string& start = content_of(result, "markov_to_start.svg");
   EXPECT_TRUE(is_well_formed(start));
   for (const char* shown : {"STANDING", "RUNNING", "JUMP", "DIE", "0.1", "0.85", "0.05", "0.09",
                             "0.6", "0.3", "0.01", "0.25", "0.75", "1"})
-    EXPECT_NE(start.find(">" + std::string(shown) + "<"), std::string::npos) << shown;
-  const std::string& scaled = file(result, "markov_scaled.svg");
+    EXPECT_TRUE(has(start, ">" + std::string(shown) + "<")) << shown;
+  const std::string& scaled = content_of(result, "markov_scaled.svg");
   for (const char* shown : {"60/91", "30/91", "1/91"})
-    EXPECT_NE(scaled.find(">" + std::string(shown) + "<"), std::string::npos) << shown;
+    EXPECT_TRUE(has(scaled, ">" + std::string(shown) + "<")) << shown;
 }
 
 TEST(Markov, AChainWithoutAnEndIsReportedAndNotWalked) {
@@ -156,7 +141,7 @@ TEST(Markov, AChainWithoutAnEndIsReportedAndNotWalked) {
   EXPECT_EQ(starts(result)[0]["agrees"], "absorption is not certain");
   EXPECT_EQ(starts(result)[0]["until"], "nothing");
   EXPECT_TRUE(starts(result)[0]["expected"].is_null());
-  EXPECT_NE(file(result, "markov.csv").find(",inf,"), std::string::npos);
+  EXPECT_TRUE(has(content_of(result, "markov.csv"), ",inf,"));
 }
 
 TEST(Markov, AnEndTooFarAwayIsReportedAndNotWalked) {

@@ -25,13 +25,7 @@ TEST(RatioSums, InPartsAreThoseOfAll) {
     parts[i % 3].add(1 + draw(i, 0), 2 + draw(i, 1));
     x += 1 + draw(i, 0), y += 2 + draw(i, 1);
   }
-  SumList all;
-  joined.append_to(all);
-  for (RatioSums& part : parts) {
-    SumList some;
-    part.append_to(some);
-    add(all, numbers_of(some));
-  }
+  for (RatioSums& part : parts) add(sums_of(joined), numbers_of(sums_of(part)));
   EXPECT_NEAR(joined.ratio(), x / y, 1e-14);
   double squares = 0;
   for (std::uint32_t i = 0; i < kSamples; ++i) {
@@ -57,19 +51,20 @@ TEST(LinearError, IsTheRootOfTheMeanSquare) {
   EXPECT_EQ(rms_difference(b.pixels, b.pixels), 0);
 }
 
+std::vector<Margin> margins_in(const std::string& scene, std::uint64_t count) {
+  const std::string film = "flatray = 1\nfilm = { size = [16, 16], world = [[0, 0], [1, 1]] }\n";
+  return margins(loaded(film + scene).scene, 1, count);
+}
+
 // A ray ends at the wall it meets: it comes no nearer to what is behind than that wall does.
 TEST(Margins, OfRandomRaysEndAtTheWallTheyMeet) {
-  const Scene scene = loaded(
-                          "flatray = 1\nfilm = { size = [16, 16], world = [[0, 0], [1, 1]] }\n"
-                          "[[entity]]\nname = \"wall\"\nshape = { segment = { from = [1.5, -1000], "
-                          "to = [1.5, 1000] } }\n"
-                          "[[entity]]\nname = \"hidden\"\nshape = { segment = { from = [3, 0.25], "
-                          "to = [3, 0.75] } }\n"
-                          "[[entity]]\nname = \"left\"\nshape = { segment = { from = [-2, 0.25], "
-                          "to = [-2, 0.75] } }\n")
-                          .scene;
+  const std::string walls =
+      "[[entity]]\nname = \"wall\"\nshape = { segment = { from = [1.5, -1000], to = [1.5, 1000] } "
+      "}\n"
+      "[[entity]]\nname = \"hidden\"\nshape = { segment = { from = [3, 0.25], to = [3, 0.75] } }\n"
+      "[[entity]]\nname = \"left\"\nshape = { segment = { from = [-2, 0.25], to = [-2, 0.75] } }\n";
   std::size_t left = 0;
-  for (const Margin& margin : margins(scene, 1, 2000)) {
+  for (const Margin& margin : margins_in(walls, 2000)) {
     if (margin.wall == "hidden edge 0") {
       EXPECT_GE(margin.distance, 1.5) << margin.ray;
     }
@@ -85,14 +80,11 @@ TEST(Margins, OfRandomRaysEndAtTheWallTheyMeet) {
 // Both ends of a wall: the nearer one is told.
 TEST(Margins, TellTheNearerEnd) {
   for (const double y : {0.125, 0.875}) {
-    const Scene scene = loaded(
-                            "flatray = 1\nfilm = { size = [16, 16], world = [[0, 0], [1, 1]] }\n"
-                            "[[entity]]\nmaterial = \"mirror\"\nshape = { segment = { from = [3, "
-                            "0], to = [3, 1] } }\n"
-                            "[[ray]]\nat = [0, " +
-                            std::to_string(y) + "]\ndirection = [1, 0]\nbounces = 1\n")
-                            .scene;
-    const auto all = margins(scene, 1, 1);
+    const auto all = margins_in(
+        "[[entity]]\nmaterial = \"mirror\"\nshape = { segment = { from = [3, 0], to = [3, 1] } }\n"
+        "[[ray]]\nat = [0, " +
+            std::to_string(y) + "]\ndirection = [1, 0]\nbounces = 1\n",
+        1);
     ASSERT_FALSE(all.empty());
     EXPECT_EQ(all[0].at, Vec2(3, y < 0.5 ? 0 : 1));
     EXPECT_EQ(all[0].distance, 0.125);

@@ -1,9 +1,18 @@
 #pragma once
+#include <gtest/gtest.h>
+
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace flatray::testing {
+
+/// Whether a text has these words in it; where that is not as expected the text is shown.
+inline ::testing::AssertionResult has(const std::string& text, const std::string& words) {
+  const bool found = text.find(words) != std::string::npos;
+  return (found ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
+         << '"' << words << (found ? "\" is in: " : "\" is not in: ") << text;
+}
 
 /// Whether every element of a small XML text is closed in order and every '&' begins an entity of
 /// XML. Needs   no comments, CDATA sections or '>' in attributes.
