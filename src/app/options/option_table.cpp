@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <limits>
+#include <string>
 
 #include "app/options/option_values.h"
 #include "base/number_text.h"
@@ -46,7 +47,9 @@ std::string range_text(std::uint64_t low, std::uint64_t high, const std::string&
 Result<std::uint64_t> whole_of(const std::string& text, const Place& where, std::uint64_t low,
                                std::uint64_t high) {
   const std::optional<std::uint64_t> value = parse_whole(text);
-  if (value && *value >= low && *value <= high) return *value;
+  // What is larger than the largest is parsed as that.
+  const bool is_larger = value == ~std::uint64_t{0} && text != std::to_string(*value);
+  if (value && *value >= low && *value <= high && !is_larger) return *value;
   return usage_error(where,
                      value ? fmt::format("{} is out of range", text)
                            : fmt::format("'{}' is not a whole number", text),

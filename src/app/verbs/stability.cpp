@@ -99,7 +99,7 @@ struct Options : StabilityRequest {
         kMost);
     row("--catalogue", "instead, the catalogue of stiff cases by id, for all tracers", catalogue);
     row("--sweep", "instead, scales and offsets from 2^-1000 to 2^1000, for all tracers", sweep);
-    scene.row_of_seed(row, seed, ~std::uint64_t{0} - 1);  // what is larger is read as the largest
+    scene.row_of_seed(row, seed, ~std::uint64_t{0});
     row("-o, --output FOLDER",
         "where its files go: stability.csv, a row for each 16384 rays or 1024 pairs, or leaks.csv, "
         "for each 1024 rays, from which a run with the same seed goes on");
