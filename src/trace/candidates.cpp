@@ -46,8 +46,8 @@ void Candidates::offer_curve(std::uint32_t surface) {
 NearestHit Candidates::first(bool tangents) {
   if (open_.empty()) return {};
   std::ranges::sort(open_, {}, &Candidate::surface);
-  const auto again = std::ranges::unique(open_, {}, &Candidate::surface);
-  open_.erase(again.begin(), again.end());
+  const auto is_one = [](const Candidate& a, const Candidate& b) { return a.surface == b.surface; };
+  open_.erase(std::unique(open_.begin(), open_.end(), is_one), open_.end());
   if (const auto& [surface, hit] = open_.front();
       open_.size() == 1 && hit.verdict == FilteredHit::Verdict::sure)
     return crossing_hit(walls_, ray_, surface, hit.root);
