@@ -98,7 +98,7 @@ class HillReader {
       std::vector<Value> pair;
       for (const char* axis : {"x", "y"}) {
         FLATRAY_TRY(found, number(axis));
-        pair.push_back({Value::Kind::number, found->where});
+        pair.push_back({Value::Kind::number, found->where, {}, {}, {}});
         if (index == 0) middle_[axis[0] == 'x' ? 0 : 1] += found->value / *sides;
       }
       const Place at = pair.front().where;

@@ -80,7 +80,7 @@ class ListReader {
       if (!parse_literal(part))
         return fail(place(part.empty() ? whole : part),
                     fmt::format("'{}' is not a finite number", part.substr(0, 40)), kLineHint);
-      at.push_back({Value::Kind::number, place(part)});
+      at.push_back({Value::Kind::number, place(part), {}, {}, {}});
     }
     add(whole, name, std::move(at));
     return {};

@@ -137,12 +137,16 @@ Value convert(const ::toml::node& node, Positions& positions) {
     case ::toml::node_type::string:
       return string_value(std::move(where), node.as_string()->get());
     case ::toml::node_type::boolean:
-      return {Value::Kind::boolean, std::move(where), node.as_boolean()->get() ? "true" : "false"};
+      return {Value::Kind::boolean,
+              std::move(where),
+              node.as_boolean()->get() ? "true" : "false",
+              {},
+              {}};
     case ::toml::node_type::integer:
     case ::toml::node_type::floating_point:
-      return {Value::Kind::number, std::move(where)};
+      return {Value::Kind::number, std::move(where), {}, {}, {}};
     default:
-      return {Value::Kind::date, std::move(where)};
+      return {Value::Kind::date, std::move(where), {}, {}, {}};
   }
 }
 

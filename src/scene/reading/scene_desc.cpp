@@ -44,11 +44,14 @@ Value built_in_number(double finite) {
   std::string digits = number_text(finite);
   const std::size_t length = digits.size();
   return {Value::Kind::number,
-          {std::make_shared<const SourceText>("built in", std::move(digits)), 0, length}};
+          {std::make_shared<const SourceText>("built in", std::move(digits)), 0, length},
+          {},
+          {},
+          {}};
 }
 
 Value string_value(Place where, std::string text) {
-  return {Value::Kind::string, std::move(where), std::move(text)};
+  return {Value::Kind::string, std::move(where), std::move(text), {}, {}};
 }
 
 Value table_value(Place where, std::vector<Member> members) {
@@ -56,7 +59,7 @@ Value table_value(Place where, std::vector<Member> members) {
 }
 
 Value array_value(Place where, std::vector<Value> items) {
-  return {Value::Kind::array, std::move(where), {}, std::move(items)};
+  return {Value::Kind::array, std::move(where), {}, std::move(items), {}};
 }
 
 TextOrder::TextOrder(const SceneDesc& desc) {

@@ -17,10 +17,10 @@ struct Value {
   enum class Kind { boolean, number, string, array, table, date };
 
   Kind kind = Kind::table;
-  Place where{};                  ///< of the whole value; a number's is its token
-  std::string text{};             ///< content of a string; "true" or "false"
-  std::vector<Value> items{};     ///< of an array
-  std::vector<Member> members{};  ///< of a table, in file order
+  Place where;                  ///< of the whole value; a number's is its token
+  std::string text;             ///< content of a string; "true" or "false"
+  std::vector<Value> items;     ///< of an array
+  std::vector<Member> members;  ///< of a table, in file order
 
   /// Member of a table, or nullptr.
   const Member* find(std::string_view key) const;
