@@ -66,7 +66,7 @@ std::vector<LampState> lamp_states(const Scene& scene, const FrameState& state) 
 
 bool moves(const Lamp& lamp) {
   const auto curved = [](const std::optional<Moving>& number) { return number && number->curve; };
-  return lamp.markov || lamp.moves() || lamp.power.curve || lamp.colour.curve != kNoEntry ||
+  return lamp.markov || lamp.changes_place() || lamp.power.curve || lamp.colour.curve != kNoEntry ||
          curved(lamp.wavelength) || curved(lamp.temperature) ||
          std::ranges::any_of(lamp.source.arguments, [&](const KeptArguments::Argument& argument) {
            return std::ranges::any_of(

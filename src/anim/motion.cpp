@@ -14,7 +14,7 @@ namespace {
 bool changes(const Stroke& stroke) { return stroke.width_curve || stroke.colour.curve != kNoEntry; }
 
 bool moves(const Scene& scene, const Entity& entity) {
-  return entity.markov || entity.moves() || entity.opacity.curve ||
+  return entity.markov || entity.changes_place() || entity.opacity.curve ||
          (entity.fill && entity.fill->curve != kNoEntry) ||
          (entity.stroke && changes(*entity.stroke)) ||
          scene.shapes[entity.shape].changes != kNoEntry;

@@ -61,8 +61,8 @@ std::vector<RayState> ray_states(const Scene& scene, const FrameState& state) {
 
 bool moves(const RayPath& ray) {
   const bool fan_moves = ray.fan && (ray.fan->spread.curve || ray.fan->width.curve);
-  return ray.moves() || ray.direction.x || ray.direction.y || fan_moves || ray.opacity.curve ||
-         ray.stroke.width_curve || ray.stroke.colour.curve != kNoEntry;
+  return ray.changes_place() || ray.direction.x || ray.direction.y || fan_moves ||
+         ray.opacity.curve || ray.stroke.width_curve || ray.stroke.colour.curve != kNoEntry;
 }
 
 }  // namespace flatray

@@ -77,13 +77,14 @@ std::vector<Bounds> FrameBodies::boxes() const {
   std::vector<Bounds> boxes;
   for (std::uint32_t i = 0; i < straight_.size(); ++i) {
     const MovingShape& body = straight_[i];
-    boxes.push_back(goes_straight_[i] && doubts_[i] < kTamest
-                        ? swept(shape_bounds(*body.shape, body.place), body.velocity, 1)
-                        : box_of(i));
-    if (goes_straight_[i] && doubts_[i] < kTamest && !boxes.back().empty()) {
-      const Vec2 room(doubts_[i], doubts_[i]);
-      boxes.back() = {boxes.back().low - room, boxes.back().high + room};
+    if (!goes_straight_[i] || !(doubts_[i] < kTamest)) {  // or is a NaN
+      boxes.push_back(box_of(i));
+      continue;
     }
+    Bounds box = swept(shape_bounds(*body.shape, body.place), body.velocity, 1);
+    const Vec2 room(doubts_[i], doubts_[i]);
+    if (!box.empty()) box = {box.low - room, box.high + room};
+    boxes.push_back(box);
   }
   return boxes;
 }

@@ -97,8 +97,8 @@ class MeetingFinder {
     last_instant(now, (last_frame - 1.0) / scene_.fps);
   }
 
-  // What overlaps where the last frame shows it and is not told yet: of what has not moved, or has just
-  // jumped there. As what moves both has them, which rounding may make overlap, it is not asked.
+  // What meets where the last frame shows it and is not told yet: of what has not moved, or has just
+  // jumped there. Bodies that one group moves are left out: their places in the world are rounded.
   void last_instant(const std::vector<EntityState>& states, double time) {
     std::vector<MovingShape> bodies;
     std::vector<Bounds> boxes;
@@ -110,12 +110,12 @@ class MeetingFinder {
     each_batch(boxes, straight_, [&](const std::vector<IndexPair>& pairs) {
       const auto met = pairs_meet(bodies, pairs, {0, 0}, threads_, outline_);
       for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (is_told(pairs[i], time) ||
-            moving_group_of_both(scene_, pairs[i].first, pairs[i].second))
-          continue;
+        const auto& [a, b] = pairs[i];
+        const bool may_tell = outline_ == Outline::box || !moving_group_of_both(scene_, a, b);
+        if (!may_tell || is_told(pairs[i], time)) continue;
         for (MeetingPart part : met[i]) {
           part.times = {time, time};
-          if (part.start == StartPlace::inside) add(pairs[i], part);
+          add(pairs[i], part);
         }
       }
     });

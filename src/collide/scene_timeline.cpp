@@ -181,8 +181,8 @@ Result<PartTimeline> timeline_before_trouble(const Scene& scene, std::uint64_t s
       }))
     return made;
   // A frame more, so that what happens at the last one does not hang on how a time is rounded.
-  // With all frames where one shows what comes later, and where rays meet mirrors between frames: from one
-  // event to the next these go to where the later one has them.
+  // With all frames of the scene where a time bar shows later events, or rays of finite speed meet mirrors:
+  // between two events a mirror goes, to the last bit, to where the later event puts it.
   const bool ahead =
       (scene.collisions && scene.collisions->time_bar) ||
       std::ranges::any_of(scene.rays, [](const RayPath& ray) { return ray.speed.has_value(); });

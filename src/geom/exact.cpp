@@ -210,7 +210,7 @@ Rational::Rational(double finite) {
   const auto digits =
       static_cast<std::int64_t>(std::ldexp(std::frexp(finite, &exponent), kMantissaBits));
   const int twos = std::countr_zero(static_cast<std::uint64_t>(digits));
-  made.top = digits >> twos;
+  made.top = static_cast<long>(digits >> twos);
   made.exponent = exponent - kMantissaBits + twos;
 }
 Rational::Rational(const Rational& other) { new (storage_) Value(value(other.storage_)); }

@@ -60,7 +60,7 @@ bool has_parts_left_out(const Shape& shape, bool but_ellipses) {
          });
 }
 
-bool moves(const Group& group) { return group.moves() || group.scale.curve; }
+bool moves(const Group& group) { return group.changes_place() || group.scale.curve; }
 
 bool stands_still(const Scene& scene, std::optional<std::uint32_t> group) {
   for (; group; group = scene.groups[*group].group)

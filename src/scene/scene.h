@@ -147,7 +147,9 @@ struct Movable {
   Place where;
 
   /// Whether it moves in its group.
-  bool moves() const { return motion.any() || !velocity.isZero(0) || angular_velocity != 0; }
+  bool changes_place() const {
+    return motion.any() || !velocity.isZero(0) || angular_velocity != 0;
+  }
 };
 
 /// Things that move together. A copy of a group is a group of its own. It stands in one of a lower

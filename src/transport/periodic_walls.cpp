@@ -172,7 +172,7 @@ std::optional<PeriodicWalls::Entry> PeriodicWalls::cross(
   return entry;
 }
 
-// By disc, whether a point of the cell that a step leaves is in it as that cell has it.
+// For each disc of the cell entered, whether the point lies inside the same disc in the cell it leaves.
 std::vector<bool> PeriodicWalls::discs_around(const Vec2& point, const CellIndex& step) const {
   const auto place_of = [&](const Disc& disc) {
     const Copy* copy = find_copy(disc.surface);

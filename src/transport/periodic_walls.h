@@ -83,9 +83,9 @@ class PeriodicWalls {
 
   /// Where a ray that arrives at a point of some of them goes on.
   struct Entry {
-    Vec2
-        point;  ///< on the closed inner side of all walls of the cell, and outside all its discs but
-                ///< those it was in
+    /// On the closed inner side of all walls of the cell, and outside all its discs but those that the ray
+    /// stays in.
+    Vec2 point;
     std::uint32_t surface;  ///< the wall it comes in by, the last one where it was in a corner
     CellIndex step;         ///< from the cell that it left
   };

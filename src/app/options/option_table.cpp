@@ -48,7 +48,8 @@ Result<std::uint64_t> whole_of(const std::string& text, const Place& where, std:
                                std::uint64_t high) {
   const std::optional<std::uint64_t> value = parse_whole(text);
   // What is larger than the largest is parsed as that.
-  const bool is_larger = value == ~std::uint64_t{0} && text != std::to_string(*value);
+  const bool is_larger = value == ~std::uint64_t{0} &&
+                         text.substr(text.find_first_not_of('0')) != std::to_string(*value);
   if (value && *value >= low && *value <= high && !is_larger) return *value;
   return usage_error(where,
                      value ? fmt::format("{} is out of range", text)

@@ -110,21 +110,23 @@ Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings, co
   return table;
 }
 
-// At most three of many, and how many more there are.
-std::pair<std::string, std::size_t> first_few(std::vector<std::string> names) {
+// The names of at most three of many, and how many more there are.
+template <class Many, class NameOf>
+std::pair<std::string, std::size_t> first_few(const Many& many, const NameOf& name_of) {
   constexpr std::size_t kMost = 3;
-  const std::size_t more = names.size() - std::min(names.size(), kMost);
-  names.resize(names.size() - more);
-  return {comma_list(names), more};
+  const std::size_t few = std::min(many.size(), kMost);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < few; ++i) names.push_back(name_of(many[i]));
+  return {comma_list(names), many.size() - few};
 }
 
 // What the answer is not about, so that nobody takes silence for a miss; "" for nothing.
 std::string left_out(const Scene& scene) {
-  std::vector<std::string> names;
+  std::vector<std::uint32_t> all;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    if (is_left_out(scene, i)) names.push_back(entity_name(scene, i));
-  if (names.empty()) return {};
-  const auto [few, more] = first_few(std::move(names));
+    if (is_left_out(scene, i)) all.push_back(i);
+  if (all.empty()) return {};
+  const auto [few, more] = first_few(all, [&](std::uint32_t i) { return entity_name(scene, i); });
   return fmt::format(
       "left out are outlines that cross themselves and curves but circles, capsules and ellipses: "
       "{}{}",
@@ -148,10 +150,10 @@ Table event_table(const Scene& scene, const Simulation& done, const Asked& asked
 // "a and b", more separated by commas.
 std::string named_pairs(const Scene& scene,
                         std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
-  std::vector<std::string> all;
-  for (const auto& [a, b] : pairs)
-    all.push_back(fmt::format("{} and {}", entity_name(scene, a), entity_name(scene, b)));
-  const auto [few, more] = first_few(std::move(all));
+  const auto [few, more] = first_few(pairs, [&](const auto& pair) {
+    return fmt::format("{} and {}", entity_name(scene, pair.first),
+                       entity_name(scene, pair.second));
+  });
   return few + (more == 0 ? "" : fmt::format(" ({} more)", more));
 }
 

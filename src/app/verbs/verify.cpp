@@ -118,9 +118,10 @@ class FolderCheck {
   void check_rows() {
     const auto check = [&](const char* name, const auto& log) {
       std::error_code ignored;
-      if (!fs::exists(folder_ / name, ignored)) return;
-      found_ = true;
+      const bool is_there = fs::exists(folder_ / name, ignored);
+      found_ = found_ || is_there;
       if (!log) return tell(log.error());
+      if (!is_there) return;
       if (const auto text = read_regular_file(folder_ / name)) check_end(folder_ / name, *text);
       rows_ += log->size();
     };

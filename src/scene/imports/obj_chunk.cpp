@@ -181,7 +181,7 @@ class ChunkReader {
   }
 
   void add_corner(ObjChunk::Chains& chains, std::int64_t index, std::size_t offset) {
-    using Range = std::numeric_limits<std::int32_t>;
+    using Int32 = std::numeric_limits<std::int32_t>;
     if (index < 0) {
       chains.backward.push_back(static_cast<std::uint32_t>(chains.corners.size()));
       index += static_cast<std::int64_t>(chunk_.vertices.size());
@@ -189,7 +189,7 @@ class ChunkReader {
       index -= base_;
     }
     chains.corners.push_back(
-        static_cast<std::int32_t>(std::clamp<std::int64_t>(index, Range::min(), Range::max())));
+        static_cast<std::int32_t>(std::clamp<std::int64_t>(index, Int32::min(), Int32::max())));
     if (with_offsets_) chains.offsets.push_back(offset);
   }
 

@@ -36,7 +36,7 @@ void read_fps(Builder& builder, const Field& field, Scene& scene) {
   constexpr double kLeast = 1e-100;
   set_number<&Scene::fps, kFpsRule>(builder, field, scene);
   if (scene.fps < kLeast)
-    builder.in.problem(field.value.where, "fps is below 1e-100", kFpsRule.hint);
+    builder.in.problem(field.value.where, "fps is below 1e-100", "write 1e-100 or more");
 }
 
 void read_seed(Builder& builder, const Field& field, Scene& scene) {

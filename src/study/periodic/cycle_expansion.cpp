@@ -9,9 +9,10 @@
 namespace flatray {
 namespace {
 
+enum { of_bounces, of_lengths, of_stretches };
+
 // The determinant cut off after `most` bounces, and its derivatives by the rates of bounces, of
 // lengths and of logarithms of eigenvalues.
-enum Rate { of_bounces, of_lengths, of_stretches };
 struct Determinant {
   double value = 1;
   Eigen::Array3d by{0, 0, 0};
