@@ -90,10 +90,8 @@ unsigned frames_between(const Scene& scene, unsigned last_frame) {
 
 // The first frame that shows a time, counted from 0.
 std::uint64_t frame_after(const Scene& scene, double time) {
-  double frame = std::max(std::ceil(time * scene.fps), 0.0);
-  while (frame > 0 && (frame - 1) / scene.fps >= time) --frame;
-  while (frame / scene.fps < time) ++frame;
-  return static_cast<std::uint64_t>(frame);
+  const double shown = std::floor(frame_at(scene, time)) - 1;
+  return static_cast<std::uint64_t>(shown / scene.fps < time ? shown + 1 : shown);
 }
 
 std::vector<std::vector<std::uint64_t>> hits_of(const Scene& scene,

@@ -75,8 +75,7 @@ class MeetingFinder {
     std::vector<Bounds> boxes;
     for (std::uint32_t i = 0; i < states.size(); ++i) {
       const EntityState& state = states[i];
-      bodies.push_back({&shape_of(scene_, state), pose(state.at, state.angle, state.scale),
-                        scene_.entities[i].velocity});
+      bodies.push_back(body_of(state, scene_.entities[i].velocity));
       const MovingShape& body = bodies.back();
       boxes.push_back(straight_[i]
                           ? swept(shape_bounds(*body.shape, body.place), body.velocity, within.high)
@@ -103,8 +102,7 @@ class MeetingFinder {
     std::vector<MovingShape> bodies;
     std::vector<Bounds> boxes;
     for (const EntityState& state : states) {
-      bodies.push_back(
-          {&shape_of(scene_, state), pose(state.at, state.angle, state.scale), {0, 0}});
+      bodies.push_back(body_of(state, {0, 0}));
       boxes.push_back(shape_bounds(*bodies.back().shape, bodies.back().place));
     }
     each_batch(boxes, straight_, [&](const std::vector<IndexPair>& pairs) {
@@ -119,6 +117,10 @@ class MeetingFinder {
         }
       }
     });
+  }
+
+  MovingShape body_of(const EntityState& state, const Vec2& velocity) const {
+    return {&shape_of(scene_, state), pose(state.at, state.angle, state.scale), velocity};
   }
 
   bool is_told(const IndexPair& pair, double time) const {
