@@ -157,7 +157,8 @@ Carried TrueMotion::between(std::uint32_t entity, std::optional<std::uint32_t> t
     add_way(level, from * thing.velocity, (to - from) * thing.velocity);
   } else {
     const Vec2 moved = timeline_->markov(entity, frame).moved,
-               way = timeline_->markov(entity, frame + 1).moved - moved;
+               next = timeline_->markov(entity, to > from ? frame + 1 : frame).moved,
+               way = next - moved;
     const double fps = scene.fps, begin = (frame - 1) / fps;
     add_way(level, moved + (from - begin) * fps * way, (to - from) * fps * way);
   }
@@ -165,13 +166,16 @@ Carried TrueMotion::between(std::uint32_t entity, std::optional<std::uint32_t> t
   return carried;
 }
 
-std::optional<std::uint32_t> moving_group_of_both(const Scene& scene, std::uint32_t a,
-                                                  std::uint32_t b) {
+std::optional<std::uint32_t> group_of_both(const Scene& scene, std::uint32_t a, std::uint32_t b) {
   auto one = scene.entities[a].group, other = scene.entities[b].group;
   while (one && other && *one != *other)  // groups stand in ones of a lower number
     (*one > *other ? one : other) = scene.groups[std::max(*one, *other)].group;
-  if (!one || !other) return std::nullopt;
-  return stands_still(scene, one) ? std::nullopt : one;
+  return one && other ? one : std::nullopt;
+}
+
+bool keeps_velocity_in(const Scene& scene, std::uint32_t entity, std::uint32_t group) {
+  const Entity& e = scene.entities[entity];
+  return e.group == group && !e.markov && !e.motion.any() && e.angular_velocity == 0;
 }
 
 double corners_a_frame(const Scene& scene, const Motion& motion) {

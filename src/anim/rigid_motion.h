@@ -49,7 +49,7 @@ class TrueMotion {
   std::vector<double> knots(std::uint32_t entity, std::optional<std::uint32_t> top, double from,
                             double to) const;
   /// From one time to another, as cubics of the part gone by.
-  /// Needs   no knots between them; both while `frame` is shown, or its end.
+  /// Needs   no knots between them; both while `frame` is shown, or its end; one time where no frame follows.
   /// Gives   what a path turns is turned at once at its corners.
   Carried between(std::uint32_t entity, std::optional<std::uint32_t> top, unsigned frame,
                   double from, double to) const;
@@ -58,9 +58,11 @@ class TrueMotion {
   const Timeline* timeline_;
 };
 
-/// The innermost group both stand in that moves; nullopt where none does.
-std::optional<std::uint32_t> moving_group_of_both(const Scene& scene, std::uint32_t a,
-                                                  std::uint32_t b);
+/// The innermost group both stand in; nullopt where there is none.
+std::optional<std::uint32_t> group_of_both(const Scene& scene, std::uint32_t a, std::uint32_t b);
+
+/// Whether an entity stands in this very group, and keeps one velocity in it as long as the scene goes.
+bool keeps_velocity_in(const Scene& scene, std::uint32_t entity, std::uint32_t group);
 
 /// About how many corners of a closed path a motion passes in a frame; 0 for less than a round.
 double corners_a_frame(const Scene& scene, const Motion& motion);

@@ -43,13 +43,14 @@ bool shows(const RigidMotion& motion, const Vec2& now, const Vec2& next) {
 }  // namespace
 
 FrameBodies::FrameBodies(const Timeline& timeline, Outline outline, unsigned frame,
-                         std::span<const EntityState> now, std::span<const EntityState> next)
+                         unsigned next_frame, std::span<const EntityState> now,
+                         std::span<const EntityState> next)
     : scene_(timeline.scene()),
       motion_(timeline),
       outline_(outline),
       frame_(frame),
       from_((frame - 1) / scene_.fps),
-      to_(frame / scene_.fps),
+      to_((next_frame - 1) / scene_.fps),
       now_(now) {
   for (std::uint32_t i = 0; i < now.size(); ++i) {
     const double scale = now[i].scale;
@@ -70,7 +71,7 @@ const Shape* FrameBodies::shape(std::uint32_t entity) const {
 
 bool FrameBodies::are_straight(const IndexPair& pair) const {
   return outline_ == Outline::own && goes_straight_[pair.first] && goes_straight_[pair.second] &&
-         !moving_group_of_both(scene_, pair.first, pair.second);
+         !group_of_both(scene_, pair.first, pair.second);
 }
 
 std::vector<Bounds> FrameBodies::boxes() const {
@@ -111,19 +112,11 @@ Bounds FrameBodies::box_of(std::uint32_t entity) const {
 
 std::vector<MeetingPart> FrameBodies::meet(const IndexPair& pair) const {
   const auto top = outline_ == Outline::own  // boxes stand upright in the world
-                       ? moving_group_of_both(scene_, pair.first, pair.second)
+                       ? group_of_both(scene_, pair.first, pair.second)
                        : std::nullopt;
-  std::set<double> times{to_};
-  for (const std::uint32_t entity : {pair.first, pair.second})
-    for (const double knot : motion_.knots(entity, top, from_, to_)) times.insert(knot);
   std::vector<MeetingPart> met;
-  for (double from = from_; const double to : times) {
-    const auto carried = [&](std::uint32_t entity) {
-      return CarriedShape{shape(entity), motion_.between(entity, top, frame_, from, to)};
-    };
-    for (MeetingPart& part :
-         carried_shapes_meet(carried(pair.first), carried(pair.second), outline_)) {
-      stretch(part, [&](double t) { return t == 1 ? to : from + t * (to - from); });
+  const auto add = [&](std::vector<MeetingPart> parts) {
+    for (MeetingPart& part : parts) {
       if (top) {
         const Pose place = group_poses(scene_, part.times.low)[*top].pose;
         part.point = place(part.point);
@@ -131,6 +124,27 @@ std::vector<MeetingPart> FrameBodies::meet(const IndexPair& pair) const {
       }
       met.push_back(part);
     }
+  };
+  if (top && keeps_velocity_in(scene_, pair.first, *top) &&
+      keeps_velocity_in(scene_, pair.second, *top)) {
+    const auto body = [&](std::uint32_t entity) {
+      return CarriedShape{shape(entity), motion_.between(entity, top, 1, 0, 1)}.as_moving();
+    };
+    add(shapes_meet(body(pair.first), body(pair.second), {from_, to_}));
+    return met;
+  }
+  std::set<double> times{to_};
+  for (const std::uint32_t entity : {pair.first, pair.second})
+    for (const double knot : motion_.knots(entity, top, from_, to_)) times.insert(knot);
+  for (double from = from_; const double to : times) {
+    const auto carried = [&](std::uint32_t entity) {
+      return CarriedShape{shape(entity), motion_.between(entity, top, frame_, from, to)};
+    };
+    std::vector<MeetingPart> parts =
+        carried_shapes_meet(carried(pair.first), carried(pair.second), outline_);
+    for (MeetingPart& part : parts)
+      stretch(part, [&](double t) { return t == 1 ? to : from + t * (to - from); });
+    add(std::move(parts));
     from = to;
   }
   return met;
@@ -138,7 +152,7 @@ std::vector<MeetingPart> FrameBodies::meet(const IndexPair& pair) const {
 
 void FrameBodies::to_seconds(std::vector<MeetingPart>& parts) const {
   for (MeetingPart& part : parts)
-    stretch(part, [&](double t) { return (frame_ - 1 + t) / scene_.fps; });
+    stretch(part, [&](double t) { return from_ == to_ ? to_ : (frame_ - 1 + t) / scene_.fps; });
 }
 
 }  // namespace flatray

@@ -6,17 +6,17 @@
 
 namespace flatray {
 
-/// The bodies of a scene from one frame to the next, along their true motion.
+/// The bodies of a scene from one frame to the next, along their true motion; or as one frame shows them.
 class FrameBodies {
  public:
-  /// Needs   what entities look like in the frame and where they are in the next; all outlive it.
-  ///         Not the last frame of the timeline.
-  FrameBodies(const Timeline& timeline, Outline outline, unsigned frame,
+  /// Needs   what entities look like in the frame and where they are in the next, or in the frame itself
+  ///         where `next_frame` is that one; all outlive it.
+  FrameBodies(const Timeline& timeline, Outline outline, unsigned frame, unsigned next_frame,
               std::span<const EntityState> now, std::span<const EntityState> next);
 
   /// Bodies of those that go straight from frame to frame: t counts frames.
   std::span<const MovingShape> straight() const { return straight_; }
-  /// Whether both do, it is their own outlines that meet, and no group moves both.
+  /// Whether both do, it is their own outlines that meet, and no group carries both.
   bool are_straight(const IndexPair& pair) const;
   /// A box around each on its way.
   std::vector<Bounds> boxes() const;

@@ -75,7 +75,8 @@ class MeetingFinder {
     std::vector<Bounds> boxes;
     for (std::uint32_t i = 0; i < states.size(); ++i) {
       const EntityState& state = states[i];
-      bodies.push_back(body_of(state, scene_.entities[i].velocity));
+      bodies.push_back({&shape_of(scene_, state), pose(state.at, state.angle, state.scale),
+                        scene_.entities[i].velocity});
       const MovingShape& body = bodies.back();
       boxes.push_back(straight_[i]
                           ? swept(shape_bounds(*body.shape, body.place), body.velocity, within.high)
@@ -86,41 +87,19 @@ class MeetingFinder {
     });
   }
 
+  // In the end, what meets where the last frame shows it and is not told yet: of what has not moved, or
+  // has just jumped there.
   void frame_by_frame(unsigned last_frame) {
     std::vector<EntityState> now = entity_states(timeline_, 1);
     for (unsigned frame = 1; frame < last_frame && !refused_; ++frame) {
       std::vector<EntityState> next = entity_states(timeline_, frame + 1);
-      one_frame(frame, now, next);
+      ask({timeline_, outline_, frame, frame + 1, now, next},
+          [](const IndexPair&) { return true; });
       now = std::move(next);
     }
-    last_instant(now, (last_frame - 1.0) / scene_.fps);
-  }
-
-  // What meets where the last frame shows it and is not told yet: of what has not moved, or has just
-  // jumped there. Bodies that one group moves are left out: their places in the world are rounded.
-  void last_instant(const std::vector<EntityState>& states, double time) {
-    std::vector<MovingShape> bodies;
-    std::vector<Bounds> boxes;
-    for (const EntityState& state : states) {
-      bodies.push_back(body_of(state, {0, 0}));
-      boxes.push_back(shape_bounds(*bodies.back().shape, bodies.back().place));
-    }
-    each_batch(boxes, straight_, [&](const std::vector<IndexPair>& pairs) {
-      const auto met = pairs_meet(bodies, pairs, {0, 0}, threads_, outline_);
-      for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto& [a, b] = pairs[i];
-        const bool may_tell = outline_ == Outline::box || !moving_group_of_both(scene_, a, b);
-        if (!may_tell || is_told(pairs[i], time)) continue;
-        for (MeetingPart part : met[i]) {
-          part.times = {time, time};
-          add(pairs[i], part);
-        }
-      }
-    });
-  }
-
-  MovingShape body_of(const EntityState& state, const Vec2& velocity) const {
-    return {&shape_of(scene_, state), pose(state.at, state.angle, state.scale), velocity};
+    const double end = (last_frame - 1.0) / scene_.fps;
+    ask({timeline_, outline_, last_frame, last_frame, now, now},
+        [&](const IndexPair& pair) { return !is_told(pair, end); });
   }
 
   bool is_told(const IndexPair& pair, double time) const {
@@ -128,14 +107,13 @@ class MeetingFinder {
     return told != parts_.end() && told->second.back().times.high >= time;
   }
 
-  // What does not, against everything, from one frame to the next.
-  void one_frame(unsigned frame, const std::vector<EntityState>& now,
-                 const std::vector<EntityState>& next) {
-    const FrameBodies bodies(timeline_, outline_, frame, now, next);
+  // What does not keep its velocity, against everything.
+  template <class Asked>
+  void ask(const FrameBodies& bodies, const Asked& is_asked) {
     each_batch(bodies.boxes(), straight_, [&](const std::vector<IndexPair>& pairs) {
       std::vector<IndexPair> together, others;
       for (const IndexPair& pair : pairs)
-        (bodies.are_straight(pair) ? together : others).push_back(pair);
+        if (is_asked(pair)) (bodies.are_straight(pair) ? together : others).push_back(pair);
       auto straight = pairs_meet(bodies.straight(), together, {0, 1}, threads_);
       for (std::vector<MeetingPart>& parts : straight) bodies.to_seconds(parts);
       add(together, straight);

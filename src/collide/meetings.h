@@ -52,10 +52,10 @@ Diagnostic too_many_meetings(const Scene& scene, std::uint32_t entity, std::stri
 ///         times between frames count, and whatever carries an entity, groups in groups, keys and paths,
 ///         counts as it is at each of them. What a path turns is turned at once at its corners; looks
 ///         of states are held as in the frame. What parts and meets again while it turns meets twice.
-/// Error   pairs that keep their velocities: exact verdicts, times the nearest doubles. Where both go straight
-///         as seen from what carries both: so for the doubles at frames, keys and corners. Else
-///         proven, as turning_contact(). Ellipses: proven, too. More pairs or meetings than the limits
-///         above, at one that has to do with them: of pairs, before any is looked at.
+/// Error   pairs that keep their velocities, in the world or in one group: exact verdicts, times the nearest
+///         doubles. Others that go straight as seen from what carries both: so for the doubles at frames,
+///         keys and corners. Else proven, as turning_contact(). Ellipses: proven, too. More pairs or
+///         meetings than the limits above, at one that has to do with them: of pairs, before any is looked at.
 /// Cost    a sweep over boxes, n log n and the pairs, for scenes where all keep their velocity once, else
 ///         once a frame; of what does not go straight some ten us a frame for each pair that comes
 ///         near. Memory for the entities and what is found.

@@ -248,16 +248,41 @@ TEST(Carried, OneFrameAloneTellsWhatMeetsInIt) {
 }
 
 TEST(Carried, WhatOneGroupCarriesStraightIsToldAsItLiesThere) {
-  const std::string one =
-      "[[entity]]\ngroup = \"g\"\nshape = { box = { min = [0, 0], max = [1, 1] } }\n";
-  const std::vector<Meeting> met =
-      meetings(scene_text(24, 2,
-                          "[[group]]\nname = \"g\"\nvelocity = [0.1, 0.3]\n" + one + one +
-                              "at = [1, 0]\n" + one + "at = [0, 1.0000000000000002]\n"));
-  ASSERT_EQ(met.size(), 1U);  // the last lies an ulp above the first
-  EXPECT_EQ(met[0].part.kind, HitClass::touch);
-  EXPECT_EQ(met[0].part.times.low, 0);
-  EXPECT_EQ(met[0].part.times.high, 2);
+  const std::string box = "shape = { box = { min = [0, 0], max = [1, 1] } }\n";
+  for (const bool moves : {true, false}) {  // the group, or each in it alike
+    const std::string way = "velocity = [0.1, 0.3]\n";
+    const std::string one = "[[entity]]\ngroup = \"g\"\n" + (moves ? "" : way) + box;
+    const std::vector<Meeting> met =
+        meetings(scene_text(24, 2,
+                            "[[group]]\nname = \"g\"\nat = [3, 0]\n" + (moves ? way : "") + one +
+                                one + "at = [1, 0]\n" + one + "at = [0, 1.0000000000000002]\n"));
+    ASSERT_EQ(met.size(), 1U);  // the last lies an ulp above the first
+    EXPECT_EQ(met[0].part.kind, HitClass::touch);
+    EXPECT_EQ(met[0].part.times.low, 0);
+    EXPECT_EQ(met[0].part.times.high, 2);
+  }
+}
+
+// As what lies in one group does there, whose places in the world are rounded.
+TEST(Carried, WhatOneGroupCarriesMeetsInTheLastFrame) {
+  const std::string box = "shape = { box = { min = [0, 0], max = [1, 1] } }\n";
+  for (const double end : {0.0, 1.0})
+    for (const char* x : {"0.5", "1", "1.0000000000000002"}) {
+      SCOPED_TRACE(x);
+      const std::vector<Meeting> met = meetings(
+          scene_text(24, end,
+                     fmt::format("[[group]]\nname = \"g\"\nat = [0.1, 0.7]\nangle = 33\n"
+                                 "velocity = [3, 1]\nangular_velocity = 7\n"
+                                 "[[entity]]\ngroup = \"g\"\n{}at = {{ keys = [[-1, [0, 9]], "
+                                 "[{}, [0, 0]]], ease = \"step\" }}\n"
+                                 "[[entity]]\ngroup = \"g\"\nat = [{}, 0]\n{}",
+                                 box, end, x, box)));
+      ASSERT_EQ(met.size(), std::string(x).size() > 3 ? 0U : 1U);
+      if (met.empty()) continue;
+      EXPECT_EQ(met[0].part.kind, std::string(x) == "1" ? HitClass::touch : HitClass::through);
+      EXPECT_EQ(met[0].part.times.low, end);
+      EXPECT_EQ(met[0].part.times.high, end);
+    }
 }
 
 TEST(Carried, WhatTouchesAtFirstAndThenGoesInBeganByTouching) {
