@@ -102,9 +102,9 @@ TEST(TrueMotion, IsSeenFromTheGroupThatCarriesBoth) {
   Scene scene = carried_box();
   scene.entities.push_back(scene.entities[0]);
   scene.entities[1].group = 1;
-  EXPECT_EQ(moving_group_of_both(scene, 0, 1), std::optional<std::uint32_t>(1));
+  EXPECT_EQ(group_of_both(scene, 0, 1), std::optional<std::uint32_t>(1));
   scene.entities[1].group.reset();
-  EXPECT_EQ(moving_group_of_both(scene, 0, 1), std::nullopt);
+  EXPECT_EQ(group_of_both(scene, 0, 1), std::nullopt);
   const Timeline timeline(scene, 0, scene.frames);
   // Seen from its own group it only follows its keys and turns.
   const Carried own = TrueMotion(timeline).between(0, 2, 1, 0, 0.5);
