@@ -13,7 +13,7 @@
 namespace flatray::coverage_choice {
 namespace {
 
-constexpr std::array kTruthSides = {16, 12, 8, 6, 4};  // of a grid of samples
+constexpr std::array kTruthSamples = {256, 128, 64, 32, 16};
 
 std::function<Outcome()> judged(const std::shared_ptr<DrawnFrame>& film) {
   return [film] {
@@ -29,6 +29,17 @@ std::vector<SamplePlace> grid(int side) {
   std::vector<SamplePlace> places;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) places.push_back({(x + 0.5) / side, (y + 0.5) / side});
+  return places;
+}
+
+// A power of two of samples on a lattice, no two of them in one row or column: level and upright
+// edges, too, are seen to within half of 1 / count of a pixel. The factor is about count times the
+// golden section, and odd, so that it meets every row.
+std::vector<SamplePlace> lattice(int count) {
+  const int factor = count * 618 / 1000 | 1;
+  std::vector<SamplePlace> places;
+  for (int i = 0; i < count; ++i)
+    places.push_back({(i + 0.5) / count, (i * factor % count + 0.5) / count});
   return places;
 }
 
@@ -80,22 +91,26 @@ Setting rays(const std::shared_ptr<DrawnFrame>& film, int rows) {
                         {"define", fmt::format("film.rows={}", rows)}}};
 }
 
-// The mean of side * side samples, as many as there is time for; doubt is by how much a coarser
-// grid is off. One of half the side would see level and upright edges where the finer one does.
+// The mean of as many samples as there is time for; doubt is by how much fewer are off, but no less
+// than what edges along the rows or columns of samples may be off unseen.
 struct Truth {
-  int side;
+  int count;
   double doubt;
 };
-int coarser(int side) { return side / 2 - 1; }
+int coarser(int count) { return count / 4; }
 Truth find_truth(DrawnFrame& film, double seconds) {
   const double start = processor_seconds();
-  film.truth = mean_light(film.list, grid(1), film.threads);
+  film.truth = mean_light(film.list, lattice(1), film.threads);
   const double one = std::max(processor_seconds() - start, 1e-6);
-  const auto* side = kTruthSides.begin();
-  while (side + 1 != kTruthSides.end() && 1.25 * *side * *side * one > seconds) ++side;
-  film.truth = mean_light(film.list, grid(*side), film.threads);
-  const LinearImage rough = mean_light(film.list, grid(coarser(*side)), film.threads);
-  return {*side, rms_difference(film.truth.pixels, rough.pixels)};
+  const auto* count = kTruthSamples.begin();
+  while (count + 1 != kTruthSamples.end() && 1.25 * *count * one > seconds) ++count;
+  film.truth = mean_light(film.list, lattice(*count), film.threads);
+  const LinearImage rough = mean_light(film.list, lattice(coarser(*count)), film.threads);
+  const std::vector<bool> edges = edge_pixels(film.list);
+  const double share =
+      static_cast<double>(std::ranges::count(edges, true)) / static_cast<double>(edges.size());
+  return {*count, std::max(rms_difference(film.truth.pixels, rough.pixels),
+                           0.5 / *count * std::sqrt(share))};
 }
 
 std::string left_out(const Scene& scene) {
@@ -105,15 +120,14 @@ std::string left_out(const Scene& scene) {
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   FLATRAY_TRY(frame, frame_to_draw(context));
   const std::shared_ptr<DrawnFrame>& film = *frame;
-  const auto [side, doubt] = find_truth(*film, reference_budget(context));
+  const auto [count, doubt] = find_truth(*film, reference_budget(context));
   ChoiceSettings made;
   made.unit = "root mean square of linear light, 1 is white";
-  made.reference =
-      fmt::format("frame {} by {} samples a pixel, from which {} differ by {:.2g}",
-                  middle_frame(context.scene), side * side, coarser(side) * coarser(side), doubt);
-  if (side < kTruthSides.front())
-    made.cut = fmt::format("reference of {} samples a pixel instead of {}", side * side,
-                           kTruthSides.front() * kTruthSides.front());
+  made.reference = fmt::format("frame {} by {} samples a pixel, from which {} differ by {:.2g}",
+                               middle_frame(context.scene), count, coarser(count), doubt);
+  if (count < kTruthSamples.front())
+    made.cut =
+        fmt::format("reference of {} samples a pixel instead of {}", count, kTruthSamples.front());
   made.doubt = doubt;
   made.grows = "samples a pixel";
   made.settings = {samples(film, 1),
@@ -126,7 +140,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
                    rays(film, 16)};
   made.settings.front().options = RenderOptions{{"define", "film.coverage=\"centre\""}};
   for (const int n : {2, 4, 8})
-    if (2 * n <= side)
+    if (4 * n * n <= count)
       made.settings.push_back(samples(film, n));
     else
       made.cut += fmt::format(", {} samples a pixel", n * n);

@@ -1,6 +1,7 @@
 // needs: shapes/box shapes/capsule shapes/circle shapes/polygon shapes/segment choices/contact choices/motion choices/tracer
 #include "study/accuracy/accuracy.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -230,13 +231,23 @@ TEST(Accuracy, OfCoverageIsNothingWhereOutlinesLieBetweenPixels) {
   EXPECT_EQ(error_of(report, "64 samples a pixel"), 0);
 }
 
-// Samples on grids of 8 and 16 a side see the sides of this box in the same places.
-TEST(Accuracy, NoSamplesAreNearerToABoxThanItsExactArea) {
-  const ChoiceReport report =
-      coverage_of("[[entity]]\nshape = { box = { min = [3.49, 2.49], max = [9.49, 7.49] } }\n");
-  const double area = error_of(report, "exact area");
-  EXPECT_GT(area, 0.005) << "the reference is off, too";
-  for (const AccuracyPoint& one : report.points) EXPECT_GE(one.outcome.error, area) << one.setting;
+// Sides that grids of samples see in the same places: between two columns of them, or before the first.
+TEST(Accuracy, ExactAreaOfABoxIsAsNearAsTheReferenceTellsWhereverItsSidesLie) {
+  for (const double off : {0.49, 0.02, 0.98, 0.001}) {
+    const auto corner = [off](int x, int y) { return fmt::format("[{}, {}]", x + off, y + off); };
+    const ChoiceReport report = coverage_of("[[entity]]\nshape = { box = { min = " + corner(3, 2) +
+                                            ", max = " + corner(9, 7) + " } }\n");
+    const double area = error_of(report, "exact area");
+    EXPECT_GT(area, 0) << off;
+    EXPECT_LT(area, 0.002) << off;
+    for (const AccuracyPoint& one : report.points) {
+      EXPECT_GE(one.outcome.error, area) << off << one.setting;
+      EXPECT_TRUE(one.outcome.at_most || one.setting != "exact area") << off;
+    }
+    if (off > 0.01) {
+      EXPECT_GT(error_of(report, "pixel centres"), area) << off;
+    }
+  }
 }
 
 TEST(Accuracy, ExactAreaIsNearerThanFewSamplesToADisc) {
