@@ -6,6 +6,7 @@ namespace flatray {
 
 Result<std::shared_ptr<DrawnFrame>> frame_to_draw(const AccuracyContext& context) {
   FLATRAY_TRY(list, middle_list(context));
+  list->coverage = Coverage::area;
   return std::make_shared<DrawnFrame>(DrawnFrame{std::move(*list), context.threads});
 }
 

@@ -13,7 +13,7 @@ struct DrawnFrame {
   unsigned threads = 1;
   LinearImage truth{}, drawn{};
 };
-/// The middle one of a scene, of which nothing is drawn yet.
+/// The middle one of a scene, by exact areas whatever the scene asks for; nothing is drawn yet.
 Result<std::shared_ptr<DrawnFrame>> frame_to_draw(const AccuracyContext& context);
 
 /// Root mean square of the differences. Needs   as many numbers in both.

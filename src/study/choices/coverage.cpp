@@ -135,7 +135,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
                     [film] {
                       film->drawn = render_linear(film->list, {std::nullopt, film->threads});
                     },
-                    judged(film), RenderOptions{}},
+                    judged(film), RenderOptions{{"define", "film.coverage=\"area\""}}},
                    rays(film, 4),
                    rays(film, 16)};
   made.settings.front().options = RenderOptions{{"define", "film.coverage=\"centre\""}};

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "scene/scene_text.h"
+#include "study/accuracy/linear_error.h"
 #include "study/accuracy_scenes.h"
 
 namespace flatray {
@@ -24,6 +25,24 @@ TEST(Accuracy, OfCoverageIsThatOfTheFrameInTheMiddle) {
         << report.reference;
     ASSERT_FALSE(report.points.empty());
     EXPECT_EQ(report.points[0].outcome.error > 0, middle > 1);
+  }
+}
+
+// What was called so was drawn as the scene asks.
+TEST(Accuracy, ExactAreaIsThatOfAnySceneAndChosenSo) {
+  for (const char* coverage : {"\"rows\"\nfilm.rows = 1", "\"centre\""}) {
+    const Scene scene =
+        loaded(std::string("flatray = 1\nfilm.size = [12, 8]\nfilm.world = [[0, 0], [12, 8]]\n"
+                           "film.coverage = ") +
+               coverage +
+               "\n[[entity]]\nshape = { box = { min = [1.3, 2.3], max = [9.2, 5.7] } }\n")
+            .scene;
+    EXPECT_EQ(frame_to_draw({scene}).value()->list.coverage, Coverage::area) << coverage;
+    for (const AccuracyPoint& one : testing::report_of("coverage", scene, 0.5).points)
+      if (one.setting == "exact area") {
+        EXPECT_LT(one.outcome.error, 0.01) << coverage;
+        EXPECT_EQ(one.options, (RenderOptions{{"define", "film.coverage=\"area\""}}));
+      }
   }
 }
 
