@@ -63,13 +63,18 @@ Rounds first_round(const ChoiceSettings& made, const Budget& budget, ChoiceRepor
       continue;
     }
     const double taken = timed(setting.work);
+    Result<Outcome> outcome = setting.judge();
+    if (!outcome) {
+      report.missing.push_back({setting.words, outcome.error().front().message});
+      continue;
+    }
     round.each += taken;
     if (setting.n > 0) per_n = taken / setting.n;
     round.settings.push_back(&setting);
     round.seconds.push_back({taken});
     report.points.push_back({setting.words, setting.n, 0, 0,
-                             as_far_as_known(setting.judge(), made.doubt), false, setting.options,
-                             setting.series});
+                             as_far_as_known(*std::move(outcome), made.doubt), false,
+                             setting.options, setting.series});
   }
   return round;
 }

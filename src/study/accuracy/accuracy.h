@@ -57,17 +57,18 @@ using RenderOptions = std::vector<std::pair<std::string, std::string>>;
 
 /// One setting of a choice.
 struct Setting {
-  std::string words;               ///< as a person would name it
-  double n = 0;                    ///< what grows from setting to setting; 0 for one beside the row
-  std::function<void()> work;      ///< what is timed; may run again
-  std::function<Outcome()> judge;  ///< of the last `work`
+  std::string words;           ///< as a person would name it
+  double n = 0;                ///< what grows from setting to setting; 0 for one beside the row
+  std::function<void()> work;  ///< what is timed; may run again
+  /// Of the last `work`, or why that came to nothing.
+  std::function<Result<Outcome>()> judge;
   /// What chooses it in `flatray render`; absent where nothing does.
   std::optional<RenderOptions> options{};
   /// Of settings of several kinds in one choice: the row it belongs to, each with an order.
   std::string series{};
 };
 
-/// A setting that this machine or this build cannot have, and why.
+/// A setting that this machine, this build or the scene cannot have, and why.
 struct MissingSetting {
   std::string words, why;
 };

@@ -15,8 +15,7 @@ Result<std::vector<Meeting>> meetings_of(const Timeline& timeline, unsigned last
 
 Setting setting(const std::shared_ptr<PairScene>& scene, const char* name, Method method) {
   return {fmt::format("--method {}", name), 0,
-          [=] { scene->tell(method(scene->timeline, scene->frames()).value()); },
-          judged_pairs(scene)};
+          [=] { scene->tell(method(scene->timeline, scene->frames())); }, judged_pairs(scene)};
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {

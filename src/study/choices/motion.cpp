@@ -40,7 +40,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   made.grows = "instants a frame";
   made.settings.push_back(
       {"all instants", 0,
-       [all = *scene] { all->tell(*find_meetings(all->timeline, all->frames())); },
+       [all = *scene] { all->tell(find_meetings(all->timeline, all->frames())); },
        judged_pairs(*scene)});
   for (int samples = 1; samples <= 64; samples *= 2)
     made.settings.push_back(instants(*scene, samples));

@@ -7,9 +7,12 @@
 
 namespace flatray {
 
-void PairScene::tell(const std::vector<Meeting>& meetings) {
-  found.clear();
-  for (const Meeting& meeting : meetings) found.insert({meeting.a, meeting.b});
+void PairScene::tell(const Result<std::vector<Meeting>>& meetings) {
+  found = meetings.map([](const std::vector<Meeting>& all) {
+    std::set<PairTruth::Pair> pairs;
+    for (const Meeting& meeting : all) pairs.insert({meeting.a, meeting.b});
+    return pairs;
+  });
 }
 
 std::string no_pairs(const Scene& scene) {
@@ -40,14 +43,16 @@ ChoiceSettings pair_settings(const PairScene& scene) {
   return made;
 }
 
-std::function<Outcome()> judged_pairs(const std::shared_ptr<PairScene>& scene) {
+std::function<Result<Outcome>()> judged_pairs(const std::shared_ptr<PairScene>& scene) {
   return [scene] {
-    const PairErrors errors = pair_errors(scene->truth, scene->found);
-    const auto [share, doubt] =
-        share_of(static_cast<double>(errors.missed + errors.invented),
-                 static_cast<double>(scene->truth.meet.size() + errors.invented));
-    const double half = scene->truth.cut == 0 ? 0 : doubt;
-    return Outcome{share, half, {}, {half, std::nullopt, share, std::nullopt}};
+    return scene->found.map([&](const std::set<PairTruth::Pair>& found) {
+      const PairErrors errors = pair_errors(scene->truth, found);
+      const auto [share, doubt] =
+          share_of(static_cast<double>(errors.missed + errors.invented),
+                   static_cast<double>(scene->truth.meet.size() + errors.invented));
+      const double half = scene->truth.cut == 0 ? 0 : doubt;
+      return Outcome{share, half, {}, {half, std::nullopt, share, std::nullopt}};
+    });
   };
 }
 

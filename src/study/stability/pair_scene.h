@@ -14,11 +14,11 @@ struct PairScene {
       : timeline(context.scene, context.seed, context.scene.frames),
         truth(pair_truth(timeline, context.scene.frames, seconds)) {}
   unsigned frames() const { return timeline.scene().frames; }
-  void tell(const std::vector<Meeting>& meetings);
+  void tell(const Result<std::vector<Meeting>>& meetings);
 
   Timeline timeline;
   PairTruth truth;
-  std::set<PairTruth::Pair> found;
+  Result<std::set<PairTruth::Pair>> found;
 };
 
 /// Why a scene has no pairs to look at, "" where it has.
@@ -30,6 +30,6 @@ Result<std::shared_ptr<PairScene>> pair_scene(const AccuracyContext& context);
 ChoiceSettings pair_settings(const PairScene& scene);
 /// Of what is found when it is asked: all is discretisation but, where pairs were cut, the doubt
 /// that the others leave, which is of sampling.
-std::function<Outcome()> judged_pairs(const std::shared_ptr<PairScene>& scene);
+std::function<Result<Outcome>()> judged_pairs(const std::shared_ptr<PairScene>& scene);
 
 }  // namespace flatray

@@ -5,6 +5,7 @@
 #include "scene/scene_text.h"
 #include "study/accuracy/accuracy_report.h"
 #include "study/accuracy_scenes.h"
+#include "study/stability/pair_scene.h"
 #include "study/texts.h"
 
 namespace flatray {
@@ -51,6 +52,32 @@ TEST(Accuracy, AnErrorBelowTheDoubtOfTheReferenceIsAtMostThat) {
   const std::string summary = accuracy_report("scene", reports).summary;
   EXPECT_TRUE(testing::has(summary, "<= 0.3"));
   EXPECT_TRUE(testing::has(summary, "nearer than the reference tells: near"));
+}
+
+// Boxes met too often for a list of them, which ended the program.
+Result<ChoiceSettings> one_fails(const AccuracyContext& context) {
+  auto made = doubtful(context);
+  made->settings.insert(
+      made->settings.begin(),
+      {"boxes", 0, [] {}, []() -> Result<Outcome> { return fail({}, "too many"); }});
+  return made;
+}
+
+TEST(Accuracy, ASettingThatComesToNothingIsNamedWithItsReason) {
+  const ChoiceReport report = testing::report_of(&one_fails, 1e6);
+  EXPECT_EQ(report.points.size(), 2U);
+  ASSERT_EQ(report.missing.size(), 1U);
+  EXPECT_EQ(report.missing[0].words + ": " + report.missing[0].why, "boxes: too many");
+}
+
+TEST(Accuracy, PairsThatAreNotToldAreNotJudged) {
+  const Scene scene =
+      loaded("flatray = 1\nfps = 1\nframes = 2\n" + std::string(testing::kBullet)).scene;
+  const auto pairs = pair_scene({scene}).value();
+  pairs->tell(fail({}, "too many"));
+  EXPECT_EQ(judged_pairs(pairs)().error().front().message, "too many");
+  pairs->tell(std::vector<Meeting>{});
+  EXPECT_EQ(judged_pairs(pairs)().value().error, 1);
 }
 
 TEST(Accuracy, OneOfManyPairsTellsNothing) {
