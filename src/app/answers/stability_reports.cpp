@@ -89,6 +89,7 @@ Result<VerbOutput> report_margins(const StabilityRequest& request) {
   FLATRAY_TRY(scene, load_only_input(request, request.scene));
   FLATRAY_TRY(straight, expect_no_field(*scene, "stability"));
   FLATRAY_TRY(unsplit, expect_no_glass(*scene, "stability"));
+  FLATRAY_TRY(standing, expect_no_speed(*scene, "stability"));
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
   Table table({"ray", "leg", "near", "x", "y", "distance", "ulps"});
   for (const Margin& margin : all)
@@ -102,10 +103,11 @@ Result<VerbOutput> report_margins(const StabilityRequest& request) {
   const auto exact =
       std::ranges::count_if(all, [](const Margin& margin) { return margin.distance == 0; });
   if (all.empty())
-    result.summary = "\nno ray passes an end of a wall or a tangent\n";
+    result.summary = "\nno ray passes an end of a wall, or a tangent of a circle or ellipse\n";
   else
     result.summary = fmt::format(
-        "\n{} from wall to wall: {} to an end or a tangent exactly, {} within {} ulps of one, "
+        "\n{} from wall to wall: {} to an end, or a tangent of a circle or ellipse, exactly, {} "
+        "within {} ulps of one, "
         "{} within 2^20\nsmallest margin: {:.3g} world units, {:.3g} ulps, of {} after {}, from {} "
         "at ({}, {})\n",
         counted(all.size(), "leg"), exact, below(kNearUlps), kNearUlps, below(kCloseUlps),

@@ -89,6 +89,15 @@ Result<void> expect_no_glass(const Scene& scene, const std::string& what) {
               "write material = \"mirror\" or \"absorb\"");
 }
 
+Result<void> expect_no_speed(const Scene& scene, const std::string& what) {
+  const auto ray = std::ranges::find_if(scene.rays, [](const RayPath& one) { return !!one.speed; });
+  if (ray == scene.rays.end()) return {};
+  return fail(ray->where,
+              "has a speed, with which it meets walls where they then are, and " + what +
+                  " knows walls that stand still only",
+              "leave out its speed to ask of the walls of the first frame");
+}
+
 Result<FrameState> frame_of(const SceneOptions& options, const Scene& scene, unsigned frame) {
   FLATRAY_TRY(timeline, make_timeline(scene, options.seed_of(scene), frame));
   return at(*timeline, frame);

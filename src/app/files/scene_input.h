@@ -49,6 +49,9 @@ Result<void> expect_no_field(const Scene& scene, const std::string& what);
 /// Refuses a scene with glass for what knows mirrors only.
 Result<void> expect_no_glass(const Scene& scene, const std::string& what);
 
+/// Refuses a scene with rays of finite speed for what knows walls that stand still only.
+Result<void> expect_no_speed(const Scene& scene, const std::string& what);
+
 /// State of the scene at a frame with --seed.
 Result<FrameState> frame_of(const SceneOptions& options, const Scene& scene, unsigned frame);
 

@@ -131,6 +131,8 @@ struct Options : StabilityRequest {
       if (row.has(other) && !(pairs && std::string_view(other) == "families"))
         row.problem(other, "is about the families of inputs", "leave it out");
     row.excludes("pairs", {"tracer"});
+    if (scene_given && row.has("tracer"))
+      row.problem("tracer", "does not go with a scene", "leave it out");
   }
 };
 

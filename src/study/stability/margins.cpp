@@ -7,6 +7,7 @@
 
 #include "anim/rays.h"
 #include "anim/world.h"
+#include "geom/decide.h"
 #include "geom/predicates.h"
 #include "scene/names.h"
 #include "study/rooms/starts.h"
@@ -17,13 +18,16 @@ namespace {
 
 struct Leg {
   Vec2 from, to;
+  std::vector<std::uint32_t> ends_on{};  ///< walls, which may go on beyond `to`
+  bool goes_on = false;                  ///< beyond `to`, as it does to the walls it ends on
 };
 
 // How far from a leg a point lies that is beside it; infinite where it is behind either end.
 double beside(const Leg& leg, const Vec2& point) {
   const Vec2 way = leg.to - leg.from;
   const double length = way.norm(), along = way.dot(point - leg.from);
-  if (length == 0 || along <= 0 || (along > length * length && point != leg.to)) return kInfinity;
+  const bool beyond = along > length * length && point != leg.to && !leg.goes_on;
+  if (length == 0 || along <= 0 || beyond) return kInfinity;
   if (side_of_ray({leg.from, way}, point) == Sign::zero) return 0;
   return std::fabs(cross(way, Vec2(point - leg.from))) / length;
 }
@@ -44,6 +48,7 @@ class MarginMeasure {
   Margin nearest(std::string ray, std::uint64_t number, const Leg& leg) const {
     Margin best{std::move(ray), number, "", {0, 0}, kInfinity, kInfinity};
     const Surfaces& walls = world_.surfaces;
+    Leg seen = leg;
     for (std::uint32_t i = 0; i < walls.size(); ++i) {
       const auto see = [&](const Vec2& at, double distance) {
         if (distance >= best.distance) return;
@@ -51,7 +56,8 @@ class MarginMeasure {
         best.wall = name_of(i);
         best.at = at;
       };
-      walls.visit(i, [&](const auto& wall) { see_wall(wall, leg, see); });
+      seen.goes_on = leg.goes_on || std::ranges::find(leg.ends_on, i) != leg.ends_on.end();
+      walls.visit(i, [&](const auto& wall) { see_wall(wall, seen, see); });
     }
     best.ulps = best.distance / (largest_ * 0x1p-52);
     return best;
@@ -71,12 +77,23 @@ class MarginMeasure {
       see(arc.from, beside(leg, arc.from));
       see(arc.to, beside(leg, arc.to));
     }
-    const auto circle = circle_along(arc);
-    if (!circle) return;
-    const auto& [centre, radius] = *circle;  // the way may end on it, short of its foot
+    const auto& [centre, u, v] = arc.curve;
     const Vec2 way = leg.to - leg.from;
-    const Leg longer{leg.from, leg.to + (radius / way.norm()) * way};
-    see(centre, std::fabs(beside(longer, centre) - radius));
+    // A tangent along the leg touches it where a u + b v has (a, b) along this.
+    const Vec2 across = Vec2(cross(way, u), cross(way, v)) / way.norm();
+    const double half_width = across.norm();
+    if (half_width == 0) return see(centre, beside(leg, centre));
+    const double to_centre = cross(way, Vec2(centre - leg.from)) / way.norm();
+    const Vec2 touched =
+        centre - (across.x() * u + across.y() * v) * ((to_centre > 0 ? 1 : -1) / half_width);
+    // Half a curve ends in the walls that it joins, which are seen; so may its tangent be.
+    if (arc.extent == Arc::Extent::between && place_in_cone(arc, touched) == PlaceOn::outside)
+      return;
+    if (beside(leg, touched) == kInfinity) return;
+    const Sign chord = decide([&](const auto& number) {
+      return curve_time(number, Ray{leg.from, way}, arc.curve).q;
+    });
+    see(centre, chord == Sign::zero ? 0 : std::fabs(std::fabs(to_centre) - half_width));
   }
   template <class See>
   static void see_wall(const Bezier& wall, const Leg& leg, const See& see) {
@@ -113,6 +130,10 @@ std::vector<Margin> of_rays(const Scene& scene, const FrameState& state) {
     const std::vector<OrbitLine> lines = orbit_lines(orbit);
     for (const OrbitLine& line : lines) {
       Leg way{line.line.a, line.line.b};
+      if (line.reflected)
+        way.ends_on = {orbit.bounces[leg].surface};
+      else if (&line == &lines.back())
+        way.ends_on = orbit.end_surfaces;
       if (leaves(orbit) && &line == &lines.back())  // as long as all that it could come by
         way.to = way.from + 8 * measure.largest() * (way.to - way.from);
       all.push_back(measure.nearest(name, leg, way));
@@ -133,7 +154,8 @@ std::vector<Margin> of_random(const Scene& scene, const FrameState& state, std::
     const auto [from, way] = random_ray(state.window, seed, number);
     const NearestHit hit = walls->nearest_of_one({from, way});
     const double t = hit ? hit.t : 2 * state.window.size().norm() / way.norm();
-    all.push_back(measure.nearest(fmt::format("random {}", number + 1), 0, {from, from + t * way}));
+    all.push_back(measure.nearest(fmt::format("random {}", number + 1), 0,
+                                  {from, from + t * way, {hit.surface}}));
   }
   return all;
 }

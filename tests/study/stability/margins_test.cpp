@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle
+// needs: shapes/box shapes/circle shapes/ellipse
 #include "study/stability/margins.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +45,36 @@ TEST(Margins, OfATangentAreWhatItMissesTheCircleBy) {
 TEST(Margins, AreNothingWhereAnEndIsMetExactly) {
   EXPECT_EQ(of(ray(8, 0))[0].distance, 0);
   EXPECT_EQ(of(ray(-2, 1))[0].distance, 0);  // (10, 8) too
+}
+
+// A flat way into the upper side, whose corner lies past the foot on the way.
+TEST(Margins, SeeAnEndBeyondWhereTheWallIsMet) {
+  for (const std::string material : {"mirror", "absorb"}) {
+    const LoadedScene scene = loaded(
+        "flatray = 1\nfilm = { size = [100, 100], world = [[0, 0], [100, 100]] }\n"
+        "[[entity]]\nname = \"plate\"\nmaterial = \"" +
+        material +
+        "\"\nshape = { box = { min = [20, 20], max = [50, 80] } }\n"
+        "[[ray]]\nname = \"r\"\nat = [40, 90]\ndirection = [9.999999999, -10]\nbounces = 0\n");
+    const auto all = margins(scene.scene, 1, 100);
+    ASSERT_EQ(all.size(), 1U) << material;
+    EXPECT_EQ(all[0].at, Vec2(50, 80));
+    EXPECT_NEAR(all[0].distance, 7.07e-10, 1e-12);
+  }
+}
+
+TEST(Margins, OfATangentOfAnEllipseAreWhatItMissesTheEllipseBy) {
+  for (const double y : {9.875, 10.125}) {
+    const LoadedScene scene = loaded(
+        "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n"
+        "[[entity]]\nname = \"disc\"\nmaterial = \"mirror\"\n"
+        "shape = { ellipse = { centre = [9, 12], radii = [4, 2] } }\n" +
+        ray(y, 0));
+    const auto all = margins(scene.scene, 1, 100);
+    ASSERT_FALSE(all.empty());
+    EXPECT_NEAR(all[0].distance, 0.125, 1e-14);
+    EXPECT_EQ(all[0].at, Vec2(9, 12));
+  }
 }
 
 TEST(Margins, OfASceneWithoutRaysAreOfRandomOnes) {
