@@ -114,6 +114,18 @@ for plant in 'ln -s ../whole/f_0001.png' mkfifo; do
   done
 done
 same_frames
+# The number of the frame is told from others in a name, and is of any width.
+for version in 1 2; do run 0 render box.toml -o "named/####_v$version.png" -f 1..3 --seed $version --quiet; done
+run 0 verify named
+cp named/0001_v1.png named/0009_v1.png
+run 1 verify named
+says out "named/0009_v1.png: has no record"
+scene wide.toml 10002
+run 0 render wide.toml -o 'wide/f_####.png' -f 9998..9999 --seed 1 --quiet
+run 0 render wide.toml -o 'wide/f_####.png' -f 10000..10002 --seed 2 --quiet
+run 1 verify wide
+says out "frames are of 2 scenes or settings"
+
 run 3 verify .
 says err 'holds no records'
 run 3 verify nowhere

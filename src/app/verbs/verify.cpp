@@ -32,14 +32,26 @@ struct Options : Arguments {
   }
 };
 
-// "frame_####.png" of "frame_0003.png": a name with its last number taken out.
-std::string pattern_of(std::string name) {
+// A name with one of its numbers taken out, which may be that of its frame.
+struct Pattern {
+  std::string key;    ///< "f_#.png" of "f_0003.png" and of "f_10000.png"
+  std::string shown;  ///< "f_####.png"
+};
+
+// By each number of a name, or by each that is `frame`.
+std::vector<Pattern> patterns_of(const std::string& name, std::optional<unsigned> frame) {
   constexpr const char* kDigits = "0123456789";
-  const std::size_t last = name.find_last_of(kDigits);
-  if (last == std::string::npos) return name;
-  const std::size_t before = name.find_last_not_of(kDigits, last);
-  const std::size_t first = before == std::string::npos ? 0 : before + 1;
-  return name.replace(first, last + 1 - first, last + 1 - first, '#');
+  std::vector<Pattern> all;
+  for (std::size_t end = 0, at; (at = name.find_first_of(kDigits, end)) != std::string::npos;) {
+    end = std::min(name.find_first_not_of(kDigits, at), name.size());
+    const std::string run = name.substr(at, end - at), digits = frame ? std::to_string(*frame) : "";
+    if (frame &&
+        (!run.ends_with(digits) || run.find_first_not_of('0') + digits.size() != run.size()))
+      continue;
+    std::string key = name, shown = name;
+    all.push_back({key.replace(at, end - at, "#"), shown.replace(at, end - at, end - at, '#')});
+  }
+  return all;
 }
 
 const char* why_nothing(const fs::path& folder) {
@@ -160,22 +172,41 @@ class FolderCheck {
     }
     const auto known = patterns();
     for (const fs::path& path : pictures_)
-      if (known.empty() || known.contains(pattern_of(path.filename()))) tell(path, "has no record");
+      if (known.empty() ||
+          std::ranges::any_of(patterns_of(path.filename(), {}),
+                              [&](const auto& one) { return known.contains(one.key); }))
+        tell(path, "has no record");
   }
 
-  // By pattern, the scenes and settings its records are of.
-  std::map<std::string, std::set<std::string>> patterns() const {
-    std::map<std::string, std::set<std::string>> patterns;
+  struct Settings {
+    std::string shown;
+    std::set<std::string> scenes;  ///< and settings of its records
+  };
+
+  // By pattern. Where several numbers of a name are that of its frame, the pattern is the one that most
+  // names have.
+  std::map<std::string, Settings> patterns() const {
+    std::map<std::string, std::size_t> names;
     for (const auto& [file, records] : records_)
-      patterns[pattern_of(file)].insert(records.back().scene);
+      for (const Pattern& one : patterns_of(file, records.back().frame)) ++names[one.key];
+    std::map<std::string, Settings> patterns;
+    for (const auto& [file, records] : records_) {
+      const std::vector<Pattern> own = patterns_of(file, records.back().frame);
+      const auto best =
+          std::ranges::max_element(own, {}, [&](const Pattern& one) { return names.at(one.key); });
+      const Pattern chosen = best == own.end() ? Pattern{file, file} : *best;
+      Settings& settings =
+          patterns.try_emplace(chosen.key, Settings{chosen.shown, {}}).first->second;
+      settings.scenes.insert(records.back().scene);
+    }
     return patterns;
   }
 
   void check_settings() {
-    for (const auto& [pattern, settings] : patterns())
-      if (settings.size() > 1)
-        tell(folder_ / pattern,
-             fmt::format("frames are of {} scenes or settings", settings.size()));
+    for (const auto& [key, settings] : patterns())
+      if (settings.scenes.size() > 1)
+        tell(folder_ / settings.shown,
+             fmt::format("frames are of {} scenes or settings", settings.scenes.size()));
   }
 
   const fs::path folder_;
