@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "app/files/outputs.h"
@@ -75,9 +76,10 @@ Result<std::vector<GoldenRow>> chosen_rows(const fs::path& root, std::vector<Gol
       problems.insert(problems.end(), scene.error().begin(), scene.error().end());
       continue;
     }
+    const auto is_of_it = [&](const GoldenRow& row) { return row.scene == *scene; };
+    if (std::ranges::any_of(chosen, is_of_it)) continue;  // named before
     const std::size_t before = chosen.size();
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen),
-                 [&](const GoldenRow& row) { return row.scene == *scene; });
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), is_of_it);
     if (chosen.size() == before)
       problems.push_back({named_place(*scene), "has no golden",
                           fmt::format("flatray golden update {} --why \"...\"", name),

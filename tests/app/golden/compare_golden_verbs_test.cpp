@@ -147,6 +147,9 @@ TEST_F(Verbs, GoldenCheckPassesUntilThePictureChanges) {
   EXPECT_TRUE(fs::exists(folder_ / "out/golden/box/frame_0001/diff_x16.png"));
   EXPECT_EQ(golden({"update", "box", "--why", "bluer"}), 0);
   EXPECT_EQ(golden({"check", "box"}), 0);
+  const std::string once = out_;
+  EXPECT_EQ(golden({"check", "box", "box.toml", "box"}), 0);
+  EXPECT_EQ(out_, once);
 }
 
 TEST_F(Verbs, GoldenCheckNamesWhatIsMissing) {
