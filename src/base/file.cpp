@@ -259,26 +259,38 @@ void remove_leftovers(const fs::path& folder) {
 
 namespace {
 
-// As far as it can be read; what has no memory is not what is not there.
-template <class Entries>
-std::vector<fs::path> walked(const fs::path& folder) {
-  std::vector<fs::path> files;
+// What has no memory is not what is not there.
+std::error_code add_files(const fs::path& folder, std::vector<fs::path>& files) {
   std::error_code error;
-  for (Entries entry(folder, error), end; !error && entry != end; entry.increment(error))
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
     files.push_back(entry->path());
   if (error == std::errc::not_enough_memory) throw std::bad_alloc();
-  std::ranges::sort(files);
-  return files;
+  return error;
 }
 
 }  // namespace
 
 std::vector<fs::path> files_in(const fs::path& folder) {
-  return walked<fs::directory_iterator>(folder);
+  std::vector<fs::path> files;
+  add_files(folder, files);
+  std::ranges::sort(files);
+  return files;
 }
 
-std::vector<fs::path> files_below(const fs::path& folder) {
-  return walked<fs::recursive_directory_iterator>(folder);
+Result<std::vector<fs::path>> files_below(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::exists(folder)) return files;
+  std::error_code error = add_files(folder, files);
+  if (error) return cannot("read", folder, error.value(), Trouble::missing);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!fs::is_directory(fs::symlink_status(files[i]))) continue;
+    const fs::path below = files[i];
+    error = add_files(below, files);
+    if (error) return cannot("read", below, error.value(), Trouble::missing);
+  }
+  std::ranges::sort(files);
+  return files;
 }
 
 fs::path folder_of(const fs::path& path) {

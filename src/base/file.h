@@ -75,8 +75,9 @@ void remove_leftovers(const std::filesystem::path& folder);
 
 /// All that stands in a folder, sorted; none where it cannot be read.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
-/// The same of all folders below it, too.
-std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
+/// The same of all folders below it, too; links are not followed.
+/// Error   Trouble::missing with the system's reason at a folder there that cannot be read.
+Result<std::vector<std::filesystem::path>> files_below(const std::filesystem::path& folder);
 
 /// The folder a file stands in, "." for a bare name.
 std::filesystem::path folder_of(const std::filesystem::path& path);

@@ -1,5 +1,8 @@
 #include "image/picture_format.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "base/entry_named.h"
 
 namespace flatray {
@@ -10,6 +13,12 @@ std::vector<std::string> picture_format_names() { return names_of(picture_format
 
 const PictureFormat* find_picture_format(std::string_view name) {
   return entry_named(picture_formats(), name);
+}
+
+const PictureFormat* picture_format_by_name(const std::filesystem::path& file) {
+  std::string end = file.extension().string();
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
+  return end.empty() ? nullptr : find_picture_format(end.substr(1));
 }
 
 const PictureFormat* picture_format_of(std::span<const std::byte> content) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,6 +61,8 @@ std::vector<std::string> picture_format_names();
 
 /// The format of a name; null where there is none.
 const PictureFormat* find_picture_format(std::string_view name);
+/// The format by which a file's name ends, in letters of either case; null where it is none of them.
+const PictureFormat* picture_format_by_name(const std::filesystem::path& file);
 /// The format whose files begin like this content, of several the one that is read back; null where it
 /// is none of them.
 const PictureFormat* picture_format_of(std::span<const std::byte> content);

@@ -89,6 +89,10 @@ rm four/f_0003.png
 tampered "four/f_0003.png: is missing"
 truncate -s -1 four/f_0004.png
 tampered "four/f_0004.png: differs from its record"
+mv four/f_0004.png elsewhere.png && ln -s ../elsewhere.png four/f_0004.png
+run 1 verify four
+says out "four/f_0004.png: is a link"
+rm four/f_0004.png && mv elsewhere.png four/f_0004.png
 sed -i '/f_0005/d' four/manifest.jsonl
 tampered "four/f_0005.png: has no record"
 truncate -s -20 four/manifest.jsonl

@@ -131,10 +131,11 @@ std::string without_extension(const fs::path& path) {
 }
 
 // Files below `folder` as paths below `root`, sorted; none where there is no folder.
-std::vector<std::string> names_below(const fs::path& root, const std::string& folder) {
+Result<std::vector<std::string>> names_below(const fs::path& root, const std::string& folder) {
+  FLATRAY_TRY(below, files_below(root / folder));
   std::vector<std::string> files;
   std::error_code ignored;
-  for (const fs::path& path : files_below(root / folder))
+  for (const fs::path& path : *below)
     if (fs::is_regular_file(path, ignored))
       files.push_back(path.lexically_relative(root).generic_string());
   std::ranges::sort(files);
@@ -214,7 +215,8 @@ Result<void> write_goldens(const fs::path& root, std::vector<GoldenRow> rows,
 Result<std::string> find_scene(const fs::path& root, const std::string& name) {
   const std::string wanted = fs::path(name).lexically_normal().generic_string();
   std::vector<std::string> found, known;
-  for (const std::string& file : names_below(root, "scenes")) {
+  FLATRAY_TRY(files, names_below(root, "scenes"));
+  for (const std::string& file : *files) {
     const std::string below = fs::path(file).lexically_relative("scenes").generic_string();
     known.push_back(without_extension(below));
     if (wanted == file || wanted == below) return file;
@@ -231,14 +233,22 @@ Result<std::string> find_scene(const fs::path& root, const std::string& name) {
 
 std::string scene_hash(const Scene& scene) { return fmt::format("{:016x}", scene.hash); }
 
+Result<Scene> scene_of_size(Scene scene, const fs::path& root, const GoldenRow& row) {
+  if (scene.film.width == row.width && scene.film.height == row.height) return scene;
+  const Override size{"film.size", fmt::format("[{}, {}]", row.width, row.height)};
+  FLATRAY_TRY(loaded, load_scene(root / row.scene, {size}, {.root = root}));
+  loaded->scene.hash = scene.hash;
+  return std::move(loaded->scene);
+}
+
 Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row) {
   FLATRAY_TRY(loaded, load_scene(root / row.scene, {}, {.root = root}));
-  GoldenScene golden{std::move(loaded->scene), {}};
-  Film& film = golden.scene.film;
-  if (film.width != row.width || film.height != row.height)
+  const Film own = loaded->scene.film;
+  FLATRAY_TRY(scene, scene_of_size(std::move(loaded->scene), root, row));
+  GoldenScene golden{*std::move(scene), {}};
+  if (own.width != row.width || own.height != row.height)
     golden.options += fmt::format(" --size {}x{}", row.width, row.height);
   if (golden.scene.seed != row.seed) golden.options += fmt::format(" --seed {}", row.seed);
-  film.width = row.width, film.height = row.height;
   if (limit_golden_light(golden.scene))
     golden.options += fmt::format(" -D light.rays={}", golden.scene.light.rays);
   return golden;
@@ -262,11 +272,12 @@ Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
   return picture;
 }
 
-std::vector<std::string> stray_goldens(const fs::path& root, const std::vector<GoldenRow>& rows) {
+Result<std::vector<std::string>> stray_goldens(const fs::path& root,
+                                               const std::vector<GoldenRow>& rows) {
   std::set<std::string> known;
   for (const GoldenRow& row : rows) known.insert(row.file());
-  std::vector<std::string> stray = names_below(root, "golden_images");
-  std::erase_if(stray, [&](const std::string& file) {
+  FLATRAY_TRY(stray, names_below(root, "golden_images"));
+  std::erase_if(*stray, [&](const std::string& file) {
     return known.count(file) != 0 || !file.ends_with(".png");
   });
   return stray;

@@ -77,6 +77,9 @@ Result<std::string> find_scene(const std::filesystem::path& root, const std::str
 /// Scene::hash as rows hold it.
 std::string scene_hash(const Scene& scene);
 
+/// A scene of `row`, drawn at the row's size; its world follows where it is of pixels. The hash stays.
+Result<Scene> scene_of_size(Scene scene, const std::filesystem::path& root, const GoldenRow& row);
+
 /// A row's scene as the row draws it.
 struct GoldenScene {
   Scene scene;          ///< at the row's size
@@ -98,7 +101,7 @@ Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
                                     const std::string& backend, unsigned threads);
 
 /// PNG files below golden_images without a row: paths below `root`, sorted.
-std::vector<std::string> stray_goldens(const std::filesystem::path& root,
-                                       const std::vector<GoldenRow>& rows);
+Result<std::vector<std::string>> stray_goldens(const std::filesystem::path& root,
+                                               const std::vector<GoldenRow>& rows);
 
 }  // namespace flatray

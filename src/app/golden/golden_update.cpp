@@ -137,16 +137,15 @@ void paste(const Image& image, int left, Image& sheet) {
 Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenRow>& rows,
                                  const GoldenRequest& request) {
   FLATRAY_TRY(loaded, load_scene(root / request.scene, {}, {.root = root}));
-  Scene& scene = loaded->scene;
   const std::vector<GoldenRow> before = rows_of(rows, request);
-  std::vector<GoldenRow> wanted = wanted_rows(request, before, scene);
+  std::vector<GoldenRow> wanted = wanted_rows(request, before, loaded->scene);
   if (Diagnostics problems = check_rows(wanted, rows); !problems.empty())
     return tl::unexpected(std::move(problems));
-  scene.film.width = wanted.front().width, scene.film.height = wanted.front().height;
-  limit_golden_light(scene);
+  FLATRAY_TRY(scene, scene_of_size(std::move(loaded->scene), root, wanted.front()));
+  limit_golden_light(*scene);
   GoldenUpdate update;
   for (GoldenRow& row : wanted) {
-    FLATRAY_TRY(picture, draw(root, scene, std::move(row), before));
+    FLATRAY_TRY(picture, draw(root, *scene, std::move(row), before));
     update.rows.push_back(picture->row);
     update.pictures.push_back(std::move(*picture));
   }

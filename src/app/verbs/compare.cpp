@@ -8,6 +8,8 @@
 #include "app/files/outputs.h"
 #include "app/files/scene_input.h"
 #include "app/verb.h"
+#include "base/beneath.h"
+#include "base/counted.h"
 #include "base/file.h"
 #include "base/parallel.h"
 #include "base/shown_text.h"
@@ -57,14 +59,20 @@ bool is_read(const PictureFormat& format) {
   return format.read_picture != nullptr || format.read_light != nullptr;
 }
 
-std::vector<std::string> pictures_below(const fs::path& folder) {
+Result<std::vector<std::string>> pictures_below(const fs::path& folder) {
+  FLATRAY_TRY(files, files_below(folder));
   std::vector<std::string> names;
-  for (const fs::path& path : files_below(folder)) {
-    const std::string kind = path.extension().string();
-    const PictureFormat* format = kind.empty() ? nullptr : find_picture_format(kind.substr(1));
+  Diagnostics links;
+  for (const fs::path& path : *files) {
+    std::error_code error;
+    if (fs::is_symlink(path, error) && fs::is_directory(path, error))
+      links.push_back({named_place(path.string()), "is a link to a folder, which is not followed",
+                       "put the pictures there, or compare the folder itself", Trouble::missing});
+    const PictureFormat* format = picture_format_by_name(path);
     if (format != nullptr && is_read(*format))
       names.push_back(path.lexically_relative(folder).generic_string());
   }
+  if (!links.empty()) return tl::unexpected(std::move(links));
   std::ranges::sort(names);
   return names;
 }
@@ -77,7 +85,12 @@ void expect_all(const std::vector<std::string>& names, const std::vector<std::st
                           "both folders must hold the same pictures", Trouble::missing});
 }
 
-Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
+struct Pairs {
+  std::vector<Pair> all;
+  Diagnostics problems{};  ///< of pictures that have no pair
+};
+
+Result<Pairs> pairs(const std::string& a, const std::string& b) {
   std::error_code error;
   const bool folder_a = fs::is_directory(a, error), folder_b = fs::is_directory(b, error);
   for (const std::string& one : {a, b})
@@ -86,19 +99,31 @@ Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
   if (folder_a != folder_b)
     return usage_error(named_place(folder_a ? a : b), "is a folder and the other is not",
                        "compare two pictures or two folders");
-  if (!folder_a) return std::vector<Pair>{{"", a, b}};
-  const std::vector<std::string> names_a = pictures_below(a), names_b = pictures_below(b);
+  if (!folder_a) return Pairs{{{"", a, b}}};
+  FLATRAY_TRY(names_a, pictures_below(a));
+  FLATRAY_TRY(names_b, pictures_below(b));
+  if (names_a->empty() && names_b->empty())
+    return fail(named_place(a), "holds no PNG, HDR or PFM", "", Trouble::missing);
+  Pairs pairs;
+  expect_all(*names_a, *names_b, b, pairs.problems);
+  expect_all(*names_b, *names_a, a, pairs.problems);
+  for (const std::string& name : *names_a)
+    if (std::ranges::binary_search(*names_b, name))
+      pairs.all.push_back({name, fs::path(a) / name, fs::path(b) / name});
+  return pairs;
+}
+
+// Links below the folders may lead out of them, too.
+Result<void> expect_beneath(const Options& options, const std::vector<Pair>& all) {
+  const auto root = options.text("root");
   Diagnostics problems;
-  if (names_a.empty() && names_b.empty())
-    problems.push_back({named_place(a), "holds no PNG, HDR or PFM", "", Trouble::missing});
-  expect_all(names_a, names_b, b, problems);
-  expect_all(names_b, names_a, a, problems);
+  for (const Pair& pair : all)
+    for (const fs::path& path : {pair.actual, pair.expected})
+      if (root && !path_beneath(*root, path))
+        problems.push_back({named_place(path.string()), "lies outside of --root " + *root,
+                            "put the picture itself there", Trouble::usage});
   if (!problems.empty()) return tl::unexpected(std::move(problems));
-  std::vector<Pair> all;
-  all.reserve(names_a.size());
-  for (const std::string& name : names_a)
-    all.push_back({name, fs::path(a) / name, fs::path(b) / name});
-  return all;
+  return {};
 }
 
 struct Picture {
@@ -180,9 +205,8 @@ std::string as_text(const Pair& pair, const Outcome& outcome, const Metric* metr
   return text;
 }
 
-Result<VerbOutput> report(const std::vector<Pair>& all,
+Result<VerbOutput> report(const std::vector<Pair>& all, Diagnostics problems,
                           const std::vector<Result<Outcome>>& outcomes, const Metric* metric) {
-  Diagnostics problems;
   Values values;
   VerbOutput output;
   std::uint64_t differ = 0;
@@ -196,27 +220,31 @@ Result<VerbOutput> report(const std::vector<Pair>& all,
     values.push_back(as_value(all[i], *outcomes[i], metric));
     output.text.emplace_back(as_text(all[i], *outcomes[i], metric));
   }
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  output.results = Fields{{"equal", differ == 0}, {"pictures", std::move(values)}};
+  if (values.empty()) return tl::unexpected(std::move(problems));
   if (all.size() > 1)
     output.text.emplace_back(
-        fmt::format("{} pictures, {} of them different\n", all.size(), differ));
+        fmt::format("{}, {} of them different\n", counted(values.size(), "picture"), differ));
+  const bool equal = differ == 0 && problems.empty();
+  output.results = Fields{{"equal", equal}, {"pictures", std::move(values)}};
   output.exit_code = differ == 0 ? 0 : 1;
+  output.problems = std::move(problems);
   return output;
 }
 
 Result<VerbOutput> run(const Options& options) {
-  FLATRAY_TRY(all, pairs(options.operands()[0], options.operands()[1]));
+  FLATRAY_TRY(found, pairs(options.operands()[0], options.operands()[1]));
+  const std::vector<Pair>& all = found->all;
+  if (auto beneath = expect_beneath(options, all); !beneath) return tl::unexpected(beneath.error());
   Outputs outputs(options);
-  for (const Pair& pair : *all) {
+  for (const Pair& pair : all) {
     outputs.add_input(pair.actual);
     outputs.add_input(pair.expected);
   }
-  std::vector<Result<Outcome>> outcomes(all->size());
+  std::vector<Result<Outcome>> outcomes(all.size());
   parallel_for(outcomes.size(), options.threads, [&](std::size_t i) {
-    outcomes[i] = measure((*all)[i], options.metric, options.diff, outputs);
+    outcomes[i] = measure(all[i], options.metric, options.diff, outputs);
   });
-  return report(*all, outcomes, options.metric);
+  return report(all, std::move(found->problems), outcomes, options.metric);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/golden/golden_check.h"
 #include "app/golden/golden_update.h"
 #include "app/verb.h"
+#include "base/beneath.h"
 #include "base/counted.h"
 #include "base/parallel.h"
 #include "image/compare.h"
@@ -63,6 +64,20 @@ struct Options : Arguments {
             fmt::format("flatray golden update {} --why \"...\"", scene));
   }
 };
+
+// Where --root is said, no link on the way to what is read or written leads out of it.
+Result<void> expect_beneath(const Options& options, const std::vector<GoldenRow>& rows) {
+  std::vector<std::string> names = {"golden_images/manifest.json"};
+  for (const GoldenRow& row : rows) names.insert(names.end(), {row.scene, row.file(), row.look()});
+  Diagnostics problems;
+  for (const std::string& name : names)
+    if (const fs::path path = fs::path(options.root) / name;
+        options.has("root") && !path_beneath(options.root, path))
+      problems.push_back({named_place(path.string()), "lies outside of --root " + options.root,
+                          "put the file itself there", Trouble::usage});
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return {};
+}
 
 // Rows of the scenes named, or all.
 Result<std::vector<GoldenRow>> chosen_rows(const fs::path& root, std::vector<GoldenRow> rows,
@@ -129,13 +144,17 @@ VerbOutput check_rows(const fs::path& root, const std::vector<GoldenRow>& rows, 
 
 Result<VerbOutput> check(const Options& options) {
   const fs::path root = options.root;
+  if (auto inside = expect_beneath(options, {}); !inside) return fail(std::move(inside));
   FLATRAY_TRY(all, read_goldens(root));
   FLATRAY_TRY(rows, chosen_rows(root, *all, options.names()));
+  if (auto inside = expect_beneath(options, *rows); !inside) return fail(std::move(inside));
   Diagnostics strays;
-  if (options.names().empty())
-    for (const std::string& file : stray_goldens(root, *all))
+  if (options.names().empty()) {
+    FLATRAY_TRY(files, stray_goldens(root, *all));
+    for (const std::string& file : *files)
       strays.push_back({named_place(file), "has no row in the manifest",
                         "delete it, or accept its scene by flatray golden update"});
+  }
   return check_rows(root, *rows, options.threads, Outputs(options), std::move(strays));
 }
 
@@ -164,6 +183,9 @@ Result<VerbOutput> update(const Options& options) {
   GoldenRequest request = options.request;
   FLATRAY_TRY(scene, find_scene(root, options.names().front()));
   request.scene = *std::move(scene);
+  GoldenRow made;
+  made.scene = request.scene;
+  if (auto inside = expect_beneath(options, {made}); !inside) return fail(std::move(inside));
   FLATRAY_TRY(rows, rows_so_far(root));
   FLATRAY_TRY(update, plan_update(root, *rows, request));
   FLATRAY_TRY(written, write_update(root, *update, Outputs(options)));

@@ -17,9 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_picture(const fs::path& extension) {
-  if (extension.empty()) return false;
-  const PictureFormat* format = find_picture_format(extension.string().substr(1));
+bool is_picture(const fs::path& file) {
+  const PictureFormat* format = picture_format_by_name(file);
   return format != nullptr && !format->is_video();  // videos have no record
 }
 
@@ -152,7 +151,7 @@ class FolderCheck {
         tell(path, "is not what an experiment keeps, or was changed");
       else  // a block a line, but the first
         rows_ += static_cast<std::size_t>(std::max(std::ranges::count(*text, '\n') - 1, {}));
-    } else if (is_picture(path.extension())) {
+    } else if (is_picture(path)) {
       if (!records_.contains(name)) pictures_.push_back(path);
     }
   }
@@ -167,8 +166,11 @@ class FolderCheck {
     });
     for (const auto& [file, is_as_recorded] : whole) {
       std::error_code ignored;
-      const bool there = fs::exists(fs::symlink_status(folder_ / file, ignored));
-      if (!is_as_recorded) tell(folder_ / file, there ? "differs from its record" : "is missing");
+      const fs::file_status status = fs::symlink_status(folder_ / file, ignored);
+      if (!is_as_recorded)
+        tell(folder_ / file, !fs::exists(status)      ? "is missing"
+                             : fs::is_symlink(status) ? "is a link, which no run leaves"
+                                                      : "differs from its record");
     }
     const auto known = patterns();
     for (const fs::path& path : pictures_)

@@ -79,11 +79,35 @@ TEST_F(Verbs, CompareMatchesFoldersByName) {
   EXPECT_EQ(compare("a", "b", {"--diff", path("d")}), 1);
   EXPECT_EQ(read_png(path("d/deep/2.png"))->pixels.front(), 16);
   EXPECT_EQ(read_png(path("d/1.png"))->pixels.front(), 0);
-  picture("a/3.png", 3, 10);
+  picture("a/3.PNG", 3, 10);
   EXPECT_EQ(compare("a", "b"), 3);
-  EXPECT_NE(error_.find(path("b/3.png") + ": error: is missing"), std::string::npos) << error_;
+  EXPECT_NE(error_.find(path("b/3.PNG") + ": error: is missing"), std::string::npos) << error_;
   fs::create_directories(folder_ / "empty");
   EXPECT_EQ(compare("empty", "empty"), 3);
+}
+
+TEST_F(Verbs, CompareOfFoldersTellsAllThatCanBeTold) {
+  for (const char* name : {"a/1.png", "b/1.png", "a/2.png"}) picture(name, 3, 10);
+  picture("b/2.png", 4, 10);
+  EXPECT_EQ(compare("a", "b", {"--json"}), 4);
+  EXPECT_NE(error_.find("a/2.png: error: "), std::string::npos) << error_;
+  for (const char* part : {"\"equal\":false", "1.png\",\"equal\":true", "\"errors\":"})
+    EXPECT_NE(out_.find(part), std::string::npos) << part << " is not in\n" << out_;
+}
+
+TEST_F(Verbs, CompareTellsWhatItDoesNotFollow) {
+  for (const char* name : {"a/1.png", "b/1.png", "far/2.png"}) picture(name, 3, 10);
+  fs::create_directory_symlink(folder_ / "far", folder_ / "a/deep");
+  EXPECT_EQ(compare("a", "b"), 3);
+  EXPECT_NE(error_.find("a/deep: error: is a link to a folder"), std::string::npos) << error_;
+  fs::remove(folder_ / "a/deep");
+  fs::create_symlink(folder_ / "far/2.png", folder_ / "a/2.png");
+  picture("b/2.png", 3, 10);
+  fs::create_directories(folder_ / "root");
+  for (const char* name : {"a", "b"}) fs::rename(folder_ / name, folder_ / "root" / name);
+  EXPECT_EQ(compare("root/a", "root/b"), 0);
+  EXPECT_EQ(compare("root/a", "root/b", {"--root", path("root")}), 2);
+  EXPECT_NE(error_.find("a/2.png: error: lies outside of --root"), std::string::npos) << error_;
 }
 
 TEST_F(Verbs, CompareWritesTheDifferenceAndTheMetric) {
@@ -150,6 +174,30 @@ TEST_F(Verbs, GoldenCheckPassesUntilThePictureChanges) {
   const std::string once = out_;
   EXPECT_EQ(golden({"check", "box", "box.toml", "box"}), 0);
   EXPECT_EQ(out_, once);
+}
+
+TEST_F(Verbs, GoldensOfAnotherSizeAreDrawnAsRenderDrawsThem) {
+  std::string text = kBoxScene;
+  text.replace(text.find("[[0, 0], [16, 10]]"), 18, "\"pixels\"");
+  ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", text));
+  EXPECT_EQ(golden({"update", "box", "--why", "new", "--size", "32x20"}), 0);
+  EXPECT_EQ(run({"render", path("scenes/box.toml"), "--size", "32x20", "-o", path("box.png")}), 0);
+  EXPECT_EQ(compare("box.png", "golden_images/box/frame_0001.png"), 0) << out_;
+  EXPECT_EQ(golden({"check", "box"}), 0);
+  EXPECT_EQ(golden({"update", "box", "--why", "again", "--size", "32x20"}), 0);
+  EXPECT_EQ(out_, "golden_images/box/frame_0001.png: same as before\n");
+}
+
+TEST_F(Verbs, GoldensBehindLinksThatLeadOutOfTheRootAreNeitherReadNorWritten) {
+  ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", std::string(kBoxScene)));
+  const fs::path outside = folder_.string() + "_outside";
+  fs::create_directories(outside);
+  fs::create_directory_symlink(outside, folder_ / "golden_images");
+  EXPECT_EQ(golden({"update", "box", "--why", "new"}), 2);
+  EXPECT_NE(error_.find("lies outside of --root"), std::string::npos) << error_;
+  EXPECT_TRUE(fs::is_empty(outside));
+  EXPECT_EQ(golden({"check"}), 2);
+  fs::remove_all(outside);
 }
 
 TEST_F(Verbs, GoldenCheckNamesWhatIsMissing) {

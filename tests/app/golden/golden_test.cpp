@@ -166,7 +166,7 @@ TEST_F(Golden, FramesNoLongerWantedGo) {
   EXPECT_EQ(update.removed.size(), 2U);
   ASSERT_EQ(rows().size(), 1U);
   EXPECT_EQ(rows()[0].frame, 2U);
-  EXPECT_TRUE(stray_goldens(folder_, rows()).empty());
+  EXPECT_TRUE(stray_goldens(folder_, rows())->empty());
 }
 
 TEST_F(Golden, FramesStayTheScenesOwnWhereNoneAreNamed) {
@@ -262,7 +262,7 @@ TEST_F(Golden, ScenesAreFoundByAnyOfTheirNames) {
 
 TEST_F(Golden, PicturesWithoutARowAreStrays) {
   accept(kThird);
-  EXPECT_TRUE(stray_goldens(folder_, rows()).empty());
+  EXPECT_TRUE(stray_goldens(folder_, rows())->empty());
   write("golden_images/part_dot/frame_0009.png", "x");
   EXPECT_EQ(stray_goldens(folder_, rows()),
             std::vector<std::string>{"golden_images/part_dot/frame_0009.png"});
