@@ -13,16 +13,6 @@ bool Glass::is_inside(std::uint32_t surface, Sign side) const {
   return walls_.visit(surface, [](const auto& wall) { return inside_of(wall); }) == side;
 }
 
-Media Glass::media_at(const Ray& ray, const DepartedSurface& departed) const {
-  Media media = bodies_.around(ray.origin);
-  const std::uint32_t body =
-      departed.surface == kNoSurface ? Media::kNone : bodies_.of(departed.surface);
-  if (body == Media::kNone) return media;
-  media.leave(body);  // it stands on its wall, but for rounding
-  if (goes_inside(walls_, departed, ray.direction)) media.enter(body);
-  return media;
-}
-
 std::optional<Vec2> Glass::refracted(const GlassHit& meeting, Media& media, double chance) const {
   const std::uint32_t body = bodies_.of(meeting.surface);
   const bool from_inside = is_inside(meeting.surface, meeting.side);

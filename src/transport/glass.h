@@ -16,7 +16,9 @@ class Glass {
   bool any() const { return bodies_.any(); }
 
   /// The bodies that a ray is in which sets off from where it is; `departed` as OrbitStart has it. Exact.
-  Media media_at(const Ray& ray, const DepartedSurface& departed) const;
+  Media media_at(const Ray& ray, const DepartedSurface& departed) const {
+    return bodies_.at(ray, departed);
+  }
   /// Where an orbit meets a wall of glass.
   struct GlassHit {
     std::uint32_t surface;

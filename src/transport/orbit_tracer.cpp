@@ -231,9 +231,11 @@ class OrbitTracer::Wave {
     }
     const Root left =
         walls_.visit(hit.surface, [&](const auto& wall) { return root_departed(wall, -side); });
-    return bounce(
+    const bool goes_on = bounce(
         flight, {hit.surface, left}, beyond.point, hit.t,
         told(refract_through(walls_, hit.surface, side, *refracted, beyond, flight.speed), false));
+    if (own.media.forgets()) own.media = orbits_.glass_->media_at(flight.ray, flight.departed);
+    return goes_on;
   }
 
   // Where it grazes so that its rounded normal does not tell which it was, it runs along the wall.

@@ -29,6 +29,7 @@ class Glass : public Scatterer {
     const double own = index(arrival.nm);
     const double from = arrival.from_inside ? own : arrival.outer_index;
     const double to = arrival.from_inside ? arrival.outer_index : own;
+    if (from == to) return {Departure::Way::scattered, arrival.direction};
     const auto refracted = refraction(from / to, -arrival.direction.dot(arrival.normal));
     if (!refracted || u < refracted->reflected) return {Departure::Way::mirrored};
     return {Departure::Way::scattered, refracted->of(arrival.direction, arrival.normal)};

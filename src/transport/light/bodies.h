@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "anim/world.h"
@@ -9,12 +11,16 @@
 namespace flatray {
 
 /// The closed shapes that light goes slower in, or gets fainter.
+///
+/// Where several lie over one another, the smallest in area is the innermost, and of areas alike to
+/// 2^-26 the last in the scene: so that of two bodies of which one lies in the other, it is that one,
+/// and where they lie over one another in part, light goes the same way to and fro.
 class Bodies {
  public:
   /// Needs   scatterers by surface; they and `world` outlive it.
   Bodies(const World& world, std::span<const Scatterer* const> scatterers);
 
-  bool any() const { return !scatterers_.empty(); }
+  bool any() const { return !all_.empty(); }
   /// Whether the index of any of them differs between wavelengths.
   bool disperse() const { return disperse_; }
   /// Whether light gets fainter in any of them.
@@ -23,39 +29,46 @@ class Bodies {
   const std::array<double, 3>& absorption_in(const Media& media) const {
     static constexpr std::array<double, 3> kNone{0, 0, 0};
     const std::uint32_t body = media.around(Media::kNone);
-    return body == Media::kNone ? kNone : absorptions_[body];
+    return body == Media::kNone ? kNone : all_[body].absorption;
   }
   /// What is left there after a length.
   std::array<double, 3> left_after(double length, const Media& media) const;
-  /// By surface; Media::kNone for what is no wall of one.
+  /// By surface; Media::kNone for what is no wall of one. Numbers ascend from the outermost.
   std::uint32_t of(std::uint32_t surface) const { return bodies_[surface]; }
   /// Of refraction, in the body of a wall.
-  double index_in(std::uint32_t body, double nm) const { return scatterers_[body]->index(nm); }
-  /// Of the innermost body around `body`, or of nothing.
+  double index_in(std::uint32_t body, double nm) const { return all_[body].scatterer->index(nm); }
+  /// Of refraction, outside of a wall of `body`: that of the innermost body there, or of nothing. Where
+  /// a wall lies within an inner body, light goes straight on: it is that of `body` itself.
   double index_around(const Media& media, std::uint32_t body, double nm) const {
     const std::uint32_t around = media.around(body);
-    return around == Media::kNone ? 1 : scatterers_[around]->index(nm);
+    return around == Media::kNone ? 1 : index_in(std::min(around, body), nm);
   }
   /// Whether light of all wavelengths must have one to go through a wall.
   bool disperse_at(std::uint32_t surface, const Media& media) const {
     const std::uint32_t body = of(surface), around = media.around(body);
-    return disperse_ && body != Media::kNone &&
-           (scatterers_[body]->disperses() ||
-            (around != Media::kNone && scatterers_[around]->disperses()));
+    if (!disperse_ || body == Media::kNone) return false;
+    return around == Media::kNone ? disperses(body)
+                                  : around < body && (disperses(body) || disperses(around));
   }
   /// The bodies that a point lies in, those on whose walls it lies left out. Exact.
   Media around(const Vec2& point) const;
+  /// The bodies that a ray is in which sets off, or goes on, from a wall or from between them.
+  Media at(const Ray& ray, const DepartedSurface& departed) const;
 
  private:
-  bool holds(std::uint32_t body, const Vec2& point) const;
+  struct Body {
+    const Scatterer* scatterer;
+    std::array<double, 3> absorption;
+    std::vector<std::uint32_t> surfaces{};
+    Bounds bounds{};
+    std::pair<int, double> area{};  ///< the power of two it is below, and 2^26 of its parts
+  };
+  bool disperses(std::uint32_t body) const { return all_[body].scatterer->disperses(); }
+  bool holds(const Body& body, const Vec2& point) const;
 
   const Surfaces& walls_;
-  std::vector<std::uint32_t> bodies_;                 // by surface
-  std::vector<const Scatterer*> scatterers_;          // by body
-  std::vector<std::array<double, 3>> absorptions_;    // by body
-  std::vector<std::vector<std::uint32_t>> surfaces_;  // by body
-  std::vector<Bounds> bounds_;                        // by body
-  std::vector<std::uint32_t> outermost_first_;
+  std::vector<std::uint32_t> bodies_;  // by surface
+  std::vector<Body> all_;              // the outermost first
   bool disperse_ = false, absorb_ = false;
 };
 

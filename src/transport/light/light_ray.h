@@ -23,17 +23,23 @@ inline std::int64_t energy(const LightWeight& weight) {
   return sum;
 }
 
-/// Bodies with an index of refraction that light is in, the outermost first.
+/// Bodies with an index of refraction that light is in. A body of a higher number is the inner one.
 class Media {
  public:
   /// Of more than kMost the outermost is forgotten.
   void enter(std::uint32_t body) {
-    if (count_ == kMost) std::copy(bodies_.begin() + 1, bodies_.end(), bodies_.begin()), --count_;
-    bodies_[count_++] = body;
+    if (count_ == kMost) {
+      forgets_ = true;
+      if (body < bodies_[0]) return;
+      std::copy(bodies_.begin() + 1, bodies_.end(), bodies_.begin()), --count_;
+    }
+    std::uint32_t at = count_++;
+    for (; at > 0 && bodies_[at - 1] > body; --at) bodies_[at] = bodies_[at - 1];
+    bodies_[at] = body;
   }
   void leave(std::uint32_t body) {
     auto* const end = bodies_.begin() + count_;
-    count_ = static_cast<std::uint32_t>(std::remove(bodies_.begin(), end, body) - bodies_.begin());
+    count_ = static_cast<std::uint16_t>(std::remove(bodies_.begin(), end, body) - bodies_.begin());
   }
   /// The innermost but for `body`; kNone where there is none.
   std::uint32_t around(std::uint32_t body) const {
@@ -41,12 +47,15 @@ class Media {
       if (bodies_[i] != body) return bodies_[i];
     return kNone;
   }
+  /// Whether there may be more than it knows: Bodies::at tells them anew.
+  bool forgets() const { return forgets_; }
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
  private:
   static constexpr std::uint32_t kMost = 8;
-  std::array<std::uint32_t, kMost> bodies_{};
-  std::uint32_t count_ = 0;
+  std::array<std::uint32_t, kMost> bodies_{};  // ascending
+  std::uint16_t count_ = 0;
+  bool forgets_ = false;
 };
 
 /// Light under way.

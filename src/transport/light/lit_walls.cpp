@@ -21,14 +21,12 @@ LitWalls::LitWalls(const World& world, std::span<const Scatterer* const> scatter
 
 bool LitWalls::sets_off(LightRay& ray) const {
   const std::vector<std::uint32_t> stood_on = exact_origins_.walls_at(ray.ray.origin);
-  if (bodies_.any()) ray.media = bodies_.around(ray.ray.origin);
-  if (stood_on.empty()) return true;
-  if (stood_on.size() > 1 || is_end(walls_, stood_on.front(), ray.ray.origin)) return false;
-  ray.departed = {stood_on.front(), root_stood_on(walls_, stood_on.front(), ray.ray)};
-  if (runs_along(walls_, ray.departed, ray.ray.direction)) return false;
-  const std::uint32_t body = bodies_.of(ray.departed.surface);
-  if (body != Media::kNone && goes_inside(walls_, ray.departed, ray.ray.direction))
-    ray.media.enter(body);
+  if (!stood_on.empty()) {
+    if (stood_on.size() > 1 || is_end(walls_, stood_on.front(), ray.ray.origin)) return false;
+    ray.departed = {stood_on.front(), root_stood_on(walls_, stood_on.front(), ray.ray)};
+    if (runs_along(walls_, ray.departed, ray.ray.direction)) return false;
+  }
+  if (bodies_.any()) ray.media = bodies_.at(ray.ray, ray.departed);
   return true;
 }
 
@@ -176,6 +174,7 @@ void LitWalls::change_media(LightRay& ray, const LightHit& met) const {
   const bool is_inside = goes_inside(walls_, ray.departed, ray.ray.direction);
   if (met.from_inside && !is_inside) ray.media.leave(body);
   if (!met.from_inside && is_inside) ray.media.enter(body);
+  if (ray.media.forgets()) ray.media = bodies_.at(ray.ray, ray.departed);
 }
 
 }  // namespace flatray

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle shapes/lens materials/glass experiments/mean_free_path experiments/lyapunov experiments/poincare experiments/phase_portion experiments/escape
+// needs: shapes/box shapes/circle shapes/lens shapes/capsule shapes/ellipse materials/glass experiments/mean_free_path experiments/lyapunov experiments/poincare experiments/phase_portion experiments/escape
 // Rooms with glass: orbits are split by chance, with Fresnel's parts, and bent by Snell's law.
 #include <gtest/gtest.h>
 
@@ -182,6 +182,91 @@ TEST(GlassOrbits, KnowTheGlassAroundGlass) {
   }
   EXPECT_GT(seen, 5);
   EXPECT_NEAR(reflected_share(rooms, {{0.1, 0.5}, {1, 0}}, 40000), 0.0625, 0.005);
+}
+
+std::string glass(const std::string& shape, double index) {
+  return "[[entity]]\nshape = { " + shape +
+         " }\nmaterial = { glass = { index = " + std::to_string(index) + " } }\n";
+}
+std::string glass_box(double left, double right, double low, double high, double index) {
+  return glass("box = { min = [" + std::to_string(left) + ", " + std::to_string(low) +
+                   "], max = [" + std::to_string(right) + ", " + std::to_string(high) + "] }",
+               index);
+}
+
+// The index on each way, by Snell's law at upright walls, of an orbit that is refracted by all of them.
+std::vector<double> indices_on_the_way(const std::string& scene, const Ray& ray,
+                                       std::size_t walls) {
+  const Scene read = scene_of("film = { size = [32, 24] }\n" + scene);
+  const Room rooms(read);
+  const auto sine = [](const Vec2& way) { return way.y() / way.norm(); };
+  for (std::uint64_t chance = 0; chance < 2000; ++chance) {
+    const Orbit orbit = orbit_of(rooms, ray, walls + 1, chance);
+    if (orbit.bounces.size() != walls ||
+        !std::ranges::all_of(orbit.bounces, [](const Bounce& one) { return one.is_refracted(); }))
+      continue;
+    std::vector<double> indices;
+    for (const Bounce& one : orbit.bounces) indices.push_back(sine(ray.direction) / sine(one.out));
+    return indices;
+  }
+  return {};
+}
+
+void expect_indices(const std::vector<double>& found, const std::vector<double>& right) {
+  ASSERT_EQ(found.size(), right.size());
+  for (std::size_t i = 0; i < right.size(); ++i) EXPECT_NEAR(found[i], right[i], 1e-12) << i;
+}
+
+TEST(GlassOrbits, KnowTheInnerOfTwoBodiesThatCross) {
+  const Ray to{{-3, 0}, {2, 0.7}}, fro{{9, 0}, {-2, 0.7}};
+  const std::string first = glass_box(0, 4, -5, 5, 1.5), second = glass_box(2, 6, -6, 4, 2.5);
+  // Of the same area the later is the inner.
+  expect_indices(indices_on_the_way(first + second, to, 4), {1.5, 2.5, 2.5, 1});
+  expect_indices(indices_on_the_way(first + second, fro, 4), {2.5, 2.5, 1.5, 1});
+  expect_indices(indices_on_the_way(second + first, to, 4), {1.5, 1.5, 2.5, 1});
+  expect_indices(indices_on_the_way(second + first, fro, 4), {2.5, 1.5, 1.5, 1});
+  // Else the smaller, in any order.
+  const std::string small = glass_box(2, 6, -5, 4, 2.5);
+  expect_indices(indices_on_the_way(first + small, to, 4), {1.5, 2.5, 2.5, 1});
+  expect_indices(indices_on_the_way(small + first, to, 4), {1.5, 2.5, 2.5, 1});
+}
+
+TEST(GlassOrbits, KnowBodiesInOneAnotherInWhateverOrderAndHoweverMany) {
+  for (const bool inner_first : {true, false}) {
+    constexpr int kBodies = 12;
+    std::string scene;
+    std::vector<double> right;
+    for (int i = 0; i < kBodies; ++i) {
+      const int body = inner_first ? kBodies - 1 - i : i;
+      const double size = 20 - body;
+      scene += glass_box(-size, size, -size, size, 1.05 + 0.05 * body);
+      right.push_back(1.05 + 0.05 * i);
+    }
+    for (int i = kBodies - 1; i-- > 0;) right.push_back(1.05 + 0.05 * i);
+    right.push_back(1);
+    expect_indices(indices_on_the_way(scene, {{-30, 0}, {1, 0.01}}, 2 * kBodies), right);
+    // And where it sets off in the middle.
+    right.erase(right.begin(), right.begin() + kBodies);
+    std::vector<double> from_within = right;
+    for (double& index : from_within) index /= 1.05 + 0.05 * (kBodies - 1);
+    expect_indices(indices_on_the_way(scene, {{0.1, 0}, {1, 0.01}}, kBodies), from_within);
+  }
+}
+
+// What has the same box is told apart by area.
+TEST(GlassOrbits, KnowTheInnerOfBodiesWithOneBox) {
+  const std::string square = glass_box(-1, 1, -1, 1, 1.5);
+  for (const char* round : {"circle = { radius = 1 }", "ellipse = { radii = [1, 1], angle = 30 }",
+                            "lens = { height = 2, thickness = 2, radii = [1, 1] }",
+                            "capsule = { from = [0, 0], to = [0, 0.0001], radius = 1 }"}) {
+    const std::string disc = glass(round, 2.0);
+    for (const std::string& scene : {square + disc, disc + square}) {
+      const Scene read = scene_of("film = { size = [32, 24] }\n" + scene);
+      const Room rooms(read);
+      const double share = reflected_share(rooms, {{-0.99, 0.5}, {1, 0}}, 4000);
+      EXPECT_GT(share, 0.01) << round;  // at the circle, by an angle
+    }
+  }
 }
 
 std::vector<OrbitStart> drawn_starts(const Room& room, std::uint64_t seed, std::uint64_t count) {

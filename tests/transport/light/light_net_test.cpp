@@ -51,6 +51,15 @@ TEST(LightOrder, IsStableAndAscending) {
   EXPECT_TRUE(ascending_order({}).empty());
 }
 
+TEST(Media, AreTheSameInWhateverOrderTheyAreEntered) {
+  Media media;
+  for (const std::uint32_t body : {7U, 4U, 5U}) media.enter(body);
+  EXPECT_EQ(media.around(Media::kNone), 7U);
+  EXPECT_EQ(media.around(7), 5U);
+  media.leave(7);
+  EXPECT_EQ(media.around(5), 4U);
+}
+
 TEST(Media, KnowTheInnermostAroundABody) {
   Media media;
   EXPECT_EQ(media.around(0), Media::kNone);
@@ -60,7 +69,11 @@ TEST(Media, KnowTheInnermostAroundABody) {
   EXPECT_EQ(media.around(4), 7U);
   media.leave(4);
   EXPECT_EQ(media.around(7), Media::kNone);
-  for (std::uint32_t body = 10; body < 20; ++body) media.enter(body);
+  media.leave(7);
+  for (std::uint32_t body = 10; body < 18; ++body) media.enter(body);
+  EXPECT_FALSE(media.forgets());
+  media.enter(18), media.enter(9), media.enter(19);
+  EXPECT_TRUE(media.forgets());
   EXPECT_EQ(media.around(19), 18U);
   for (std::uint32_t body = 12; body < 20; ++body) media.leave(body);
   EXPECT_EQ(media.around(0), Media::kNone);
