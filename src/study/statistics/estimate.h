@@ -32,7 +32,8 @@ struct RatioSums {
   /// The ratio as a measure, without an error where there is a sample alone.
   Measure measure(std::string name, std::optional<double> expected = std::nullopt) const;
   /// A share of samples that are counted, without an error where fewer than ten are of one kind:
-  /// its spread says too little then, and of none nothing.
+  /// its spread says too little then, and of none nothing. Where groups of quasi-random starts hardly
+  /// differ the error is that of two samples.
   Measure share(std::string name, std::string remark = {}) const;
 
   void append_to(SumList& list);
@@ -47,6 +48,11 @@ inline constexpr double kAllowedErrors = 4;
 /// Error   1 % for 3 degrees of freedom, 0.1 % for 5 and more.
 /// Source  Abramowitz and Stegun 26.7.5.
 double student_95(double freedom);
+/// Those that as few of all runs are off by as normal numbers are by kAllowedErrors, one in 16,000.
+///
+/// Error   1 % from 15 degrees of freedom on, of fewer it is too large.
+/// Source  Wallace 1959.
+double allowed_errors(double freedom);
 /// The same of chi-squared: it is below this in 95 % of all runs, and below the other in 5 %.
 ///
 /// Error   1 % from 2 degrees of freedom on, the lower one from 8 on.
@@ -67,7 +73,7 @@ std::optional<Range> interval(const Measure& measure);
 JsonValue end_cell(const Measure& measure, double Range::*end);
 
 /// Whether a measure lies near enough to what is expected, where anything is: by its standard
-/// error, or as far as rounding is allowed to take it.
+/// error and the parts that is estimated from, or as far as rounding is allowed to take it.
 bool agrees(const Measure& measure);
 /// That in a word: "yes" or "no", nothing where it cannot be said.
 std::optional<std::string> verdict(const Measure& measure);

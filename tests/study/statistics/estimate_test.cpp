@@ -57,6 +57,31 @@ TEST(Agreement, IsWithinFourStandardErrors) {
   EXPECT_FALSE(agrees({"m", 1.0, 0, 2.0}));
 }
 
+// Found by a reviewer: of few orbits, right numbers were said to disagree.
+TEST(Agreement, OfFewOrSkewedPartsIsWider) {
+  const std::pair<double, double> quantiles[] = {{15, 5.44}, {31, 4.62}, {100, 4.178}};
+  for (const auto& [freedom, t] : quantiles)
+    EXPECT_NEAR(allowed_errors(freedom), t, 0.01 * t) << freedom;
+  EXPECT_NEAR(allowed_errors(kInfinity), kAllowedErrors, 1e-6);
+  EXPECT_TRUE(agrees({"m", 1.54, 0.1, 1.0, 15}));
+  EXPECT_FALSE(agrees({"m", 1.56, 0.1, 1.0, 15}));
+  Measure skewed{"m", 1.5, 0.1, 1.0};
+  EXPECT_FALSE(agrees(skewed));
+  skewed.widening = 1.3;
+  EXPECT_TRUE(agrees(skewed));
+}
+
+// Found by a reviewer: the interval was of no width, and the truth outside of it.
+TEST(RatioSums, OfGroupsWithEqualSharesHaveAnErrorYet) {
+  StartSums equal(Starts::quasi);
+  for (std::uint64_t i = 0; i < 10 * kShifts; ++i) equal.add(i, i < 3 * kShifts ? 1 : 0, 1);
+  Measure share = equal.all().share("m");
+  EXPECT_EQ(share.value, 0.3);
+  EXPECT_EQ(share.standard_error, 2 / (10.0 * kShifts));
+  share.expected = 0.31;
+  EXPECT_TRUE(agrees(share));
+}
+
 TEST(WallPlaces, GoRoundASquareAndACircle) {
   Surfaces walls;
   walls.add(Segment{{1, 0}, {1, 2}});
