@@ -1,5 +1,7 @@
 #include "app/experiments/experiment_monitor.h"
 
+#include <charconv>
+
 #include "app/interrupt.h"
 #include "app/options/option_values.h"
 #include "base/file.h"
@@ -16,9 +18,10 @@ std::optional<std::pair<std::size_t, Numbers>> read_block(std::string_view line)
   if (!block) return std::nullopt;
   Numbers numbers;
   for (std::size_t i = 1; i < cells.size(); ++i) {
-    const auto number = parse_number(cells[i]);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
+    // Infinities and NaN, too, as number_text() writes them.
+    const char* const last = cells[i].data() + cells[i].size();
+    const auto [end, error] = std::from_chars(cells[i].data(), last, numbers.emplace_back());
+    if (error != std::errc{} || end != last) return std::nullopt;
   }
   return std::pair{static_cast<std::size_t>(*block), std::move(numbers)};
 }
