@@ -164,9 +164,8 @@ ExperimentResult measured(const ExperimentContext& context, const std::string& n
   result.files.push_back(json_file(name, fields));
   result.summary = fmt::format("{}\n\n{}", headline, aligned_text(result.table, kBrief));
   if (!result.holds)
-    result.summary += fmt::format(
-        "\nDISAGREES: not what must come out, or more than {} standard errors from it\n",
-        kAllowedErrors);
+    result.summary +=
+        "\nDISAGREES: not what must come out, or farther from it than its standard error allows\n";
   result.measures = std::move(measures);
   return result;
 }
