@@ -119,7 +119,8 @@ Law law_of(const Room& room, const RatioSums& doubling) {
   if (room.walls().curve_numbers.empty() && room.scene().field() == 0) return Law::straight;
   if (doubling.samples < 3) return Law::undecided;
   const double quotient = doubling.ratio();
-  const double chance = allowed_errors(doubling.samples - 1) * doubling.standard_error();
+  const double chance = kAllowedErrors / student_95(kInfinity) * student_95(doubling.samples - 1) *
+                        doubling.standard_error();
   if (quotient + chance < 1.5) return Law::power;
   return quotient - chance > 1.5 && std::fabs(quotient - 2) <= chance ? Law::exponential
                                                                       : Law::undecided;
