@@ -13,6 +13,12 @@ const Entry* entry_named(const std::vector<const Entry*>& entries, std::string_v
   return found == entries.end() ? nullptr : *found;
 }
 
+/// A name with the letters of ASCII in lower case.
+inline std::string lower_case(std::string name) {
+  for (char& c : name) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return name;
+}
+
 /// Names of entries, of pointers to them, or of pairs that begin with a name.
 template <class Entries>
 std::vector<std::string> names_of(const Entries& entries) {

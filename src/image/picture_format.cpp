@@ -1,8 +1,5 @@
 #include "image/picture_format.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "base/entry_named.h"
 
 namespace flatray {
@@ -16,8 +13,7 @@ const PictureFormat* find_picture_format(std::string_view name) {
 }
 
 const PictureFormat* picture_format_by_name(const std::filesystem::path& file) {
-  std::string end = file.extension().string();
-  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string end = lower_case(file.extension().string());
   return end.empty() ? nullptr : find_picture_format(end.substr(1));
 }
 

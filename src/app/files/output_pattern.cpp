@@ -7,6 +7,7 @@
 
 #include "app/options/arguments.h"
 #include "app/options/option_values.h"
+#include "base/entry_named.h"
 #include "base/left_out.h"
 
 namespace flatray {
@@ -75,11 +76,6 @@ std::string unknown_placeholder(std::string_view text) {
     if (word != kScene) return std::string(word);
   }
   return {};
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
 }
 
 // ".hdr, .pfm or .png".

@@ -243,11 +243,11 @@ Result<Scene> scene_of_size(Scene scene, const fs::path& root, const GoldenRow& 
 
 Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row) {
   FLATRAY_TRY(loaded, load_scene(root / row.scene, {}, {.root = root}));
-  const Film own = loaded->scene.film;
+  std::string options;
+  if (const Film& own = loaded->scene.film; own.width != row.width || own.height != row.height)
+    options = fmt::format(" --size {}x{}", row.width, row.height);
   FLATRAY_TRY(scene, scene_of_size(std::move(loaded->scene), root, row));
-  GoldenScene golden{*std::move(scene), {}};
-  if (own.width != row.width || own.height != row.height)
-    golden.options += fmt::format(" --size {}x{}", row.width, row.height);
+  GoldenScene golden{*std::move(scene), std::move(options)};
   if (golden.scene.seed != row.seed) golden.options += fmt::format(" --seed {}", row.seed);
   if (limit_golden_light(golden.scene))
     golden.options += fmt::format(" -D light.rays={}", golden.scene.light.rays);

@@ -114,6 +114,16 @@ void check_root(const Verb& verb, Arguments& arguments) {
            "name a place in that folder", Trouble::usage});
 }
 
+Result<void> expect_in_root(const std::string& root, std::span<const fs::path> files) {
+  Diagnostics problems;
+  for (const fs::path& file : files)
+    if (!path_beneath(root, file))
+      problems.push_back({named_place(file.string()), "lies outside of --root " + root,
+                          "put the file itself there", Trouble::usage});
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return {};
+}
+
 Result<void> enter_sandbox(const Verb& verb, const Arguments& arguments) {
   if (!arguments.has("sandbox")) return {};
   Sandbox sandbox{{"/usr", "/lib", "/lib64", "/etc/ld.so.cache", "/proc/cpuinfo"}, {}};

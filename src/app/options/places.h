@@ -1,4 +1,7 @@
 #pragma once
+#include <filesystem>
+#include <span>
+
 #include "app/verb.h"
 
 namespace flatray {
@@ -17,6 +20,10 @@ bool has_own_root(std::span<const Option> own);
 /// that none of them names, lie in that folder or beneath it. To the problems of the arguments:
 /// each that does not.
 void check_root(const Verb& verb, Arguments& arguments);
+
+/// That files lie in the folder that --root says, or beneath it, links on the way followed. Error   Trouble::usage,
+/// each that does not.
+Result<void> expect_in_root(const std::string& root, std::span<const std::filesystem::path> files);
 
 /// With --sandbox: leaves open for reading what the command line names and, of scenes, what they
 /// may refer to, besides the program's own modules and the libraries of the system; for writing the

@@ -7,8 +7,8 @@
 
 #include "app/files/outputs.h"
 #include "app/files/scene_input.h"
+#include "app/options/places.h"
 #include "app/verb.h"
-#include "base/beneath.h"
 #include "base/counted.h"
 #include "base/file.h"
 #include "base/parallel.h"
@@ -111,19 +111,6 @@ Result<Pairs> pairs(const std::string& a, const std::string& b) {
     if (std::ranges::binary_search(*names_b, name))
       pairs.all.push_back({name, fs::path(a) / name, fs::path(b) / name});
   return pairs;
-}
-
-// Links below the folders may lead out of them, too.
-Result<void> expect_beneath(const Options& options, const std::vector<Pair>& all) {
-  const auto root = options.text("root");
-  Diagnostics problems;
-  for (const Pair& pair : all)
-    for (const fs::path& path : {pair.actual, pair.expected})
-      if (root && !path_beneath(*root, path))
-        problems.push_back({named_place(path.string()), "lies outside of --root " + *root,
-                            "put the picture itself there", Trouble::usage});
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  return {};
 }
 
 struct Picture {
@@ -234,12 +221,13 @@ Result<VerbOutput> report(const std::vector<Pair>& all, Diagnostics problems,
 Result<VerbOutput> run(const Options& options) {
   FLATRAY_TRY(found, pairs(options.operands()[0], options.operands()[1]));
   const std::vector<Pair>& all = found->all;
-  if (auto beneath = expect_beneath(options, all); !beneath) return tl::unexpected(beneath.error());
-  Outputs outputs(options);
-  for (const Pair& pair : all) {
-    outputs.add_input(pair.actual);
-    outputs.add_input(pair.expected);
+  std::vector<fs::path> files;
+  for (const Pair& pair : all) files.insert(files.end(), {pair.actual, pair.expected});
+  if (const auto root = options.text("root")) {  // links below the folders may lead out of it
+    FLATRAY_TRY(inside, expect_in_root(*root, files));
   }
+  Outputs outputs(options);
+  for (const fs::path& file : files) outputs.add_input(file);
   std::vector<Result<Outcome>> outcomes(all.size());
   parallel_for(outcomes.size(), options.threads, [&](std::size_t i) {
     outcomes[i] = measure(all[i], options.metric, options.diff, outputs);

@@ -8,8 +8,8 @@
 #include "app/frames/frames.h"
 #include "app/golden/golden_check.h"
 #include "app/golden/golden_update.h"
+#include "app/options/places.h"
 #include "app/verb.h"
-#include "base/beneath.h"
 #include "base/counted.h"
 #include "base/parallel.h"
 #include "image/compare.h"
@@ -67,16 +67,12 @@ struct Options : Arguments {
 
 // Where --root is said, no link on the way to what is read or written leads out of it.
 Result<void> expect_beneath(const Options& options, const std::vector<GoldenRow>& rows) {
-  std::vector<std::string> names = {"golden_images/manifest.json"};
-  for (const GoldenRow& row : rows) names.insert(names.end(), {row.scene, row.file(), row.look()});
-  Diagnostics problems;
-  for (const std::string& name : names)
-    if (const fs::path path = fs::path(options.root) / name;
-        options.has("root") && !path_beneath(options.root, path))
-      problems.push_back({named_place(path.string()), "lies outside of --root " + options.root,
-                          "put the file itself there", Trouble::usage});
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  return {};
+  if (!options.has("root")) return {};
+  const fs::path root = options.root;
+  std::vector<fs::path> files = {root / "golden_images/manifest.json"};
+  for (const GoldenRow& row : rows)
+    files.insert(files.end(), {root / row.scene, root / row.file(), root / row.look()});
+  return expect_in_root(options.root, files);
 }
 
 // Rows of the scenes named, or all.
