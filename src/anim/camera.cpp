@@ -70,7 +70,7 @@ Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entiti
   Bounds all;
   // A shape with the outer half of its stroke.
   const auto add = [&](const Shape& shape, const Pose& place, double stroke) {
-    const Bounds box = shape_bounds(shape, place);
+    const Bounds box = shape_extent(shape, place);
     const Vec2 reach(stroke / 2, stroke / 2);
     if (!box.empty()) all.add(Bounds{box.low - reach, box.high + reach});
   };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "anim/timeline.h"
+#include "geom/primitives/wall.h"
 
 namespace flatray {
 
@@ -85,10 +86,11 @@ inline Vec2 posed(const Vec2& point, const Pose& place) { return place(point); }
 Circle posed(const Circle& circle, const Pose& place);
 ArcPath posed(ArcPath path, const Pose& place);
 
-/// Box around a shape, without its stroke, whose points, circles and paths posed(what, place) puts where
-/// they are: a Pose, or one beyond the world. Empty for a shape without content.
-template <class Place>
-Bounds shape_bounds(const Shape& shape, const Place& place) {
+/// Box that holds a shape, without its stroke, whose points, circles and paths posed(what, place) puts
+/// where they are: a Pose, or one beyond the world. Empty for a shape without content. Of Bezier curves
+/// `box_of` tells the box.
+template <class Place, class BoxOf = Bounds (*)(const Bezier&)>
+Bounds shape_bounds(const Shape& shape, const Place& place, const BoxOf& box_of = &bounds_of) {
   Bounds box;
   const auto add = [&](const Vec2& point) { box.add(posed(point, place)); };
   for (const Vec2& vertex : shape.vertices) add(vertex);
@@ -102,8 +104,13 @@ Bounds shape_bounds(const Shape& shape, const Place& place) {
   }
   for (const ArcPath& path : shape.arc_paths) box.add(path_bounds(posed(path, place)));
   for (const Bezier& curve : shape.beziers)
-    for (int k = 0; k <= curve.degree; ++k) add(curve.point(k));
+    box.add(box_of(mapped(curve, [&](const Vec2& point) { return posed(point, place); })));
   return box;
+}
+
+/// The same around what is seen of it: of Bezier curves around the curves themselves.
+inline Bounds shape_extent(const Shape& shape, const Pose& place) {
+  return shape_bounds(shape, place, &extent_of);
 }
 
 }  // namespace flatray

@@ -109,7 +109,7 @@ bool has_area(const ShapePart& part) {
 std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place, Outline outline) {
   std::vector<ShapePart> all;
   if (outline == Outline::box) {
-    const Bounds box = shape_bounds(shape, place);
+    const Bounds box = shape_extent(shape, place);
     if (!box.empty()) all.push_back({box.corners()});
     return all;
   }

@@ -45,6 +45,16 @@ TEST(Camera, HeightAndPlaceOfTheCameraComeFirst) {
   expect_window(window(scene), {6, 3}, {14, 7});
 }
 
+TEST(Camera, TheContentIsOfCurvesAndNotOfTheirControlPoints) {
+  Scene scene = small_scene();
+  scene.film.world.reset();
+  add_box(scene, {0, 0}, {7, 0});
+  scene.shapes[0] = {};
+  scene.shapes[0].beziers = {Bezier({-100, 100}, {0, -100}, {100, 100})};  // from y = 0 on
+  EXPECT_EQ(window(scene).low, Vec2(-110, -5));
+  EXPECT_EQ(window(scene).high, Vec2(110, 105));
+}
+
 TEST(Camera, WithoutAWindowTheContentOfTheFirstFrameIsShownWithFivePercent) {
   Scene scene = small_scene();
   scene.film.world.reset();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "geom/decide.h"
 #include "geom/meetings.h"
 #include "geom/primitives/bezier_roots.h"
@@ -16,6 +18,37 @@ const Bezier kLoop({-18, 12}, {26, -4}, {-26, -4},
                    {18, 12});  // 3 (u^3 - u), 3 u^2: u = +-1 at (0, 3)
 const Bezier kCusp({-24, 12}, {24, -4}, {-24, -4}, {24, 12});      // 3 u^3, 3 u^2
 const Bezier kInflection({-6, -24}, {-2, 24}, {2, -24}, {6, 24});  // 3 u, 3 u^3
+
+TEST(Bezier, ReachesToItsExtent) {
+  std::mt19937_64 draw(7);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * 0x1p-64 * static_cast<double>(draw());
+  };
+  for (int i = 0; i < 600; ++i) {
+    const auto point = [&] {
+      const double x = between(-9, 9);
+      return Vec2(x, between(-9, 9));
+    };
+    const Vec2 a = point(), b = point(), c = point(), d = point();
+    const double weight = std::exp2(between(-8, 8));
+    const Bezier curve = i % 3 == 0   ? Bezier(a, b, c)
+                         : i % 3 == 1 ? Bezier(a, b, c, weight)
+                                      : Bezier(a, b, c, d);
+    Bounds seen;
+    for (int k = 0; k <= 20000; ++k) seen.add(point_at(curve, k / 20000.0));
+    const Bounds box = extent_of(curve);
+    const Vec2 beyond(1e-12, 1e-12), near(1e-4, 1e-4);
+    EXPECT_TRUE((Bounds{box.low - beyond, box.high + beyond}.contains(seen.low))) << i;
+    EXPECT_TRUE((Bounds{box.low - beyond, box.high + beyond}.contains(seen.high))) << i;
+    EXPECT_TRUE((Bounds{seen.low - near, seen.high + near}.contains(box.low))) << i;
+    EXPECT_TRUE((Bounds{seen.low - near, seen.high + near}.contains(box.high))) << i;
+  }
+  // Half a circle, whose middle control point is far away.
+  const Bounds arch = extent_of(Bezier({-1, 0}, {0, 1e9}, {1, 0}, 1e-9));
+  EXPECT_NEAR(arch.high.y(), 1, 1e-9);
+  EXPECT_EQ(arch.low.y(), 0);
+  EXPECT_EQ(extent_of(kParabola).low, Vec2(-2, 0));
+}
 
 TEST(RealRoot, IsTheSquareRootOfTwo) {
   const Polynomial p{-2, 0, 1};

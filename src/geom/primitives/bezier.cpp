@@ -225,6 +225,25 @@ Bounds bounds_of(const Bezier& wall) {
   return box;
 }
 
+// At its ends, and where a coordinate turns back: with A, B, C the Bernstein coefficients of its rate and
+// r = s / (1 - s), where A + B r + C r^2 = 0. Of parabolas the rate has two.
+Bounds extent_of(const Bezier& curve) {
+  Bounds box;
+  box.add(curve.start());
+  box.add(curve.end());
+  for (const int axis : {0, 1}) {
+    const auto rates = rates_of(kPlain, curve, axis);
+    const bool linear = rates.size() == 2;
+    double a = rates[0], b = linear ? rates[0] + rates[1] : 2 * rates[1], c = rates.back();
+    const double largest = std::max({std::fabs(a), std::fabs(b), std::fabs(c)});
+    a /= largest, b /= largest, c /= largest;
+    const double q = -0.5 * (b + std::copysign(std::sqrt(b * b - 4 * a * c), b));
+    for (const double r : {q / c, a / q})
+      if (r > 0 && std::isfinite(r)) box.add(point_at(curve, r / (1 + r)));
+  }
+  return box;
+}
+
 // Halves of a polygon of control points round each of them by at most an ulp of the largest a time, times its weight.
 // A heavy middle point draws all but the ends of the parameter's range to it.
 bool passes_near(const Bezier& wall, const Vec2& point, const Vec2& reach) {

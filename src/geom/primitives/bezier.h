@@ -239,6 +239,9 @@ double parameter_near(const Bezier& curve, const Vec2& point);
 /// The tangent there, of any length, in plain doubles: towards greater s.
 Vec2 tangent_at(const Bezier& curve, double s);
 Vec2 point_at(const Bezier& curve, double s);
+/// The box around the curve itself, in plain doubles: bounds_of() is that of its control points, which
+/// surely holds it.
+Bounds extent_of(const Bezier& curve);
 /// Positive where it turns to the left, in plain doubles.
 double bend_at(const Bezier& curve, double s);
 /// How fast the point moves with s, how much it turns on its way, and a bound of its acceleration, in plain

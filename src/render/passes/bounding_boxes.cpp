@@ -18,7 +18,7 @@ void draw(DrawContext& context) {
   for (std::size_t i = 0; i < context.scene.entities.size(); ++i) {
     const Entity& entity = context.scene.entities[i];
     if (!entity.bounding_box || context.state.entities[i].gone) continue;
-    const Bounds box = shape_bounds(shape_of(context.scene, context.state.entities[i]),
+    const Bounds box = shape_extent(shape_of(context.scene, context.state.entities[i]),
                                     entity_pose(context.state, i));
     if (box.empty()) continue;
     context.place(entity.layer, entity.order, entity.where);
