@@ -7,8 +7,8 @@
 
 #include "anim/rigid_motion.h"
 #include "base/counted.h"
-#include "base/philox.h"
 #include "base/processor_time.h"
+#include "base/shuffled.h"
 #include "collide/meetings.h"
 #include "collide/outline_contact.h"
 #include "oracle/contact.h"
@@ -104,6 +104,38 @@ Answer cores_meet(const Body& a, const Body& b, double length) {
   return answer;
 }
 
+// Those of which one moves, by number: none is kept, as there may be many.
+class PairsToTell {
+ public:
+  PairsToTell(const Scene& scene, const std::vector<bool>& not_told) {
+    std::uint64_t all = 0, resting = 0;
+    for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
+      const bool still = rests(scene, i);
+      ++all;
+      if (still) ++resting;
+      if (!not_told[i]) (still ? resting_ : moving_).push_back(i);
+    }
+    left_out = pairs_of(all) - pairs_of(resting) - size();
+  }
+
+  std::uint64_t size() const { return pairs_of(moving_.size()) + moving_.size() * resting_.size(); }
+  // In a round of those that move each has pairs with the next, then with those next but one, and
+  // so on half of the way round.
+  Pair operator[](std::uint64_t i) const {
+    const std::uint64_t count = moving_.size(), both = pairs_of(count), k = i < both ? i : i - both;
+    const std::uint32_t a = moving_[k % count];
+    const std::uint32_t b =
+        i < both ? moving_[(k % count + 1 + k / count) % count] : resting_[k / count];
+    return std::minmax(a, b);
+  }
+
+  std::uint64_t left_out = 0;  // one of them is not told
+
+ private:
+  static std::uint64_t pairs_of(std::uint64_t count) { return count * (count - 1) / 2; }
+  std::vector<std::uint32_t> moving_, resting_;
+};
+
 class TouchFinder {
  public:
   TouchFinder(const Timeline& timeline, unsigned last_frame, double seconds)
@@ -127,23 +159,27 @@ class TouchFinder {
     }
   }
 
-  PairTruth run() {
-    const double start = processor_seconds();
-    const std::vector<Pair> pairs = all_pairs();
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
+  // Until the clock has run for so long since `start`.
+  PairTruth run(double start) {
+    const PairsToTell pairs(scene_, left_out_);
+    truth_.left_out = pairs.left_out;
+    // So that the first few are of all kinds.
+    const Shuffled order(pairs.size(), timeline_.seed(), Stream::experiment);
+    for (std::uint64_t i = 0; i < order.size(); ++i) {
       if (i > 0 && processor_seconds() - start >= seconds_) {
-        truth_.cut = pairs.size() - i;
+        truth_.cut = order.size() - i;
         break;
       }
-      const auto& [a, b] = pairs[i];
+      const Pair pair = pairs[order[i]];
+      const auto& [a, b] = pair;
       const Answer answer = pair_meets(a, b);
       if (answer == Answer::grazing) {
         ++truth_.grazing;
         continue;
       }
-      truth_.compared.insert(pairs[i]);
+      truth_.compared.insert(pair);
       if (bent_[a] || bent_[b]) ++truth_.bent;
-      if (answer == Answer::meet) truth_.meet.insert(pairs[i]);
+      if (answer == Answer::meet) truth_.meet.insert(pair);
     }
     return std::move(truth_);
   }
@@ -179,25 +215,6 @@ class TouchFinder {
     place.centre = state.at;
     place.reach = 2 * beside.norm();
     return place;
-  }
-
-  // Those to look at, in an order in which the first few are of all kinds.
-  std::vector<Pair> all_pairs() {
-    std::vector<Pair> pairs;
-    const auto count = static_cast<std::uint32_t>(scene_.entities.size());
-    for (std::uint32_t a = 0; a < count; ++a)
-      for (std::uint32_t b = a + 1; b < count; ++b) {
-        if (rests(scene_, a) && rests(scene_, b)) continue;
-        if (left_out_[a] || left_out_[b])
-          ++truth_.left_out;
-        else
-          pairs.push_back({a, b});
-      }
-    const auto key = [&](const Pair& pair) {
-      return random_bits(timeline_.seed(), Stream::experiment, pair.first, pair.second);
-    };
-    std::ranges::sort(pairs, [&](const Pair& p, const Pair& q) { return key(p) < key(q); });
-    return pairs;
   }
 
   double seconds_at(std::size_t frame) const { return static_cast<double>(frame) / scene_.fps; }
@@ -296,7 +313,8 @@ std::string PairTruth::words() const {
 }
 
 PairTruth pair_truth(const Timeline& timeline, unsigned last_frame, double seconds) {
-  return TouchFinder(timeline, last_frame, seconds).run();
+  const double start = processor_seconds();
+  return TouchFinder(timeline, last_frame, seconds).run(start);
 }
 
 PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& found) {
