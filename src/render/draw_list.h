@@ -80,13 +80,17 @@ struct DrawItem {
   float opacity = 1;
 };
 
+/// Pieces of edges in a pixel that are crossed pair by pair in pictures.
+inline constexpr std::size_t kCrowd = 32;
+
 /// What every back end draws: items in order, over the background.
 struct DrawList {
   int width = 0, height = 0;
   LinearColour background;
   Coverage coverage = Coverage::area;
   std::vector<DrawItem> items;
-  int rows = 4;  ///< as of Film
+  int rows = 4;                ///< as of Film
+  std::size_t crowd = kCrowd;  ///< more of them in one pixel are summed by strips: PixelArea
 };
 
 }  // namespace flatray

@@ -47,7 +47,8 @@ BandScan::BandScan(const DrawList& list, bool hide, bool (*stop)())
       all_rays_(~std::uint64_t{0} >> (64 - std::max(rays_, 1))),
       background_(premultiplied(list.background)),
       edges_(list.width, list.height),
-      windings_(static_cast<std::size_t>(std::max(rays_, 1))) {}
+      windings_(static_cast<std::size_t>(std::max(rays_, 1))),
+      area_(list.crowd) {}
 
 void BandScan::scan(const PixelBox& box, const Band& band, PixelSink& sink) {
   sink_ = &sink;

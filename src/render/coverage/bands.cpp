@@ -136,7 +136,7 @@ std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_band
                                       const DrawList& before, const Bands& before_bands) {
   std::vector<BandChange> changes = whole_bands(now_bands);
   if (now.width != before.width || now.height != before.height || now.coverage != before.coverage ||
-      now.rows != before.rows || now.background != before.background ||
+      now.rows != before.rows || now.crowd != before.crowd || now.background != before.background ||
       now_bands.count() != before_bands.count())
     return changes;
   std::vector<ItemComparison> compared(now.items.size());

@@ -82,9 +82,9 @@ void join_equal(std::vector<PieceOf>& pieces) {
   pieces.erase(last + 1, pieces.end());
 }
 
-// Whether more pieces pass by one another than kCrowd do among themselves. Sorts them.
-bool is_crowd(std::vector<PieceOf>& pieces) {
-  const bool many = pieces.size() > kCrowd;
+// Whether more pieces pass by one another than `most` do among themselves. Sorts them.
+bool is_crowd(std::vector<PieceOf>& pieces, std::size_t most) {
+  const bool many = pieces.size() > most;
   if (many) join_equal(pieces);
   std::sort(pieces.begin(), pieces.end(),
             [](const PieceOf& a, const PieceOf& b) { return a.piece->y_top < b.piece->y_top; });
@@ -93,8 +93,8 @@ bool is_crowd(std::vector<PieceOf>& pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t k = i + 1;
          k < pieces.size() && pieces[k].piece->y_top < pieces[i].piece->y_bottom; ++k)
-      if (++pairs > kCrowd * kCrowd / 2) return true;
-  return pieces.size() > kCrowd * kCrowd / 2;
+      if (++pairs > most * most / 2) return true;
+  return pieces.size() > most * most / 2;
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ void PixelArea::find_lefts(std::span<const PieceOf> pieces) {
 void PixelArea::find_cuts(std::span<const PieceOf> pieces, int row) {
   cuts_ = {0, 1};
   if (crowded_) {
-    const std::size_t strips = std::max(kStrips * kCrowd / pieces.size(), kLeastStrips);
+    const std::size_t strips = std::max(2 * crowd_ * crowd_ / pieces.size(), crowd_);
     for (std::size_t i = 1; i < strips; ++i)
       cuts_.push_back(static_cast<double>(i) / static_cast<double>(strips));
   } else {
@@ -205,7 +205,8 @@ void PixelArea::add_slab(double height) {
 
 Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
                       const Light& background) {
-  crowded_ = is_crowd(pieces);
+  const auto places = static_cast<double>(2 * crowd_);
+  crowded_ = is_crowd(pieces, crowd_);
   find_lefts(pieces);
   find_cuts(pieces, row);
   strands_.clear();
@@ -224,8 +225,8 @@ Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
     }
     find_strands(pieces, top, bottom, row);
     // In few places, so that few lights are asked for.
-    if (crowded_ && strands_.size() * seen.items.size() > kPlaces * kPlaces)
-      for (Strand& strand : strands_) strand.x = std::floor(strand.x * kPlaces) / kPlaces;
+    if (crowded_ && strands_.size() * seen.items.size() > 4 * crowd_ * crowd_)
+      for (Strand& strand : strands_) strand.x = std::floor(strand.x * places) / places;
     if (afresh) {
       left_ = seen.composed(background);
       lit_.clear();

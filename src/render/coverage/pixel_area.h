@@ -7,15 +7,6 @@
 
 namespace flatray {
 
-/// More pieces of edges than this inside one pixel, if as many pairs of them pass by one another as
-/// among so many, are a crowd: the crossings would cost the square.
-inline constexpr std::size_t kCrowd = 32;
-/// Strips a crowded pixel is cut into; as few as kLeastStrips where it has many pieces.
-inline constexpr std::size_t kStrips = 64, kLeastStrips = 32;
-/// Places along a strip at which its light is looked at where pieces times items are more than its
-/// square.
-inline constexpr std::size_t kPlaces = 64;
-
 /// A piece in a pixel, of the item at `seen`; or several that lie on one another.
 struct PieceOf {
   const Piece* piece;
@@ -34,14 +25,19 @@ struct PieceOf {
 /// crossings of all pieces, and each slab from piece to piece. So items are right that share the
 /// pixel, whether they lie on, beside or across one another.
 ///
+/// More than c pieces, if as many pairs of them pass by one another as among c, are a crowd, as
+/// their crossings would cost the square: it is cut into 2 c^2 / n strips, no fewer than c.
+///
 /// Error   of the areas some 2^-49, as pieces are in doubles, and where two curves cross more than
 ///         twice within the pixel what lies between the further crossings. In a crowd light is
-///         looked at along the middle of each strip, from piece to piece, or at kPlaces places of it
-///         where pieces and items are many: at most L / (2 s) of the pixel in s strips, L the horizontal
-///         length of the pieces inside it.
-/// Cost    for n pieces O(n^2) for their crossings, O(n log n) a slab; in a crowd kStrips slabs.
+///         looked at along the middle of each strip, from piece to piece, or at 2 c places of it
+///         where pieces and items are many, their product above the square of that: at most L / (2 s)
+///         of the pixel in s strips, L the horizontal length of the pieces inside it.
+/// Cost    for n pieces O(n^2) for their crossings, O(n log n) a slab; in a crowd its strips.
 class PixelArea {
  public:
+  explicit PixelArea(std::size_t crowd) : crowd_(crowd) {}
+
   /// Needs   the pieces, whose order may change; `seen` with the winding numbers just inside the
   ///         pixel's upper left corner.
   Light mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row, const Light& background);
@@ -79,6 +75,7 @@ class PixelArea {
   std::vector<Lit> lit_;  ///< the strands of the slab before
   Light left_{};          ///< of them all
   SummedLight sum_;
+  std::size_t crowd_;  ///< c
   bool crowded_ = false;
 };
 

@@ -1,12 +1,22 @@
 #include <fmt/core.h>
 
+#include <array>
+#include <cmath>
+
+#include "base/processor_time.h"
 #include "render/frame.h"
 #include "study/accuracy/linear_error.h"
 
 namespace flatray::flattening_choice {
 namespace {
 
-constexpr double kTruthSagitta = 0x1p-18, kDoubtSagitta = 0x1p-16;  // px
+// A reference: chords within 2^-bits pixels, and the pieces in one pixel that are crossed pair by pair.
+struct Fineness {
+  int bits;
+  std::size_t crowd;
+};
+constexpr std::array kFineness = {Fineness{12, 64}, Fineness{14, 128}, Fineness{16, 256},
+                                  Fineness{18, 512}};
 
 // The chords of a closed path, as edges; reversed where they bound a hole.
 void add_chords(const ArcPath& path, double sagitta, bool hole, FillPath& out) {
@@ -44,6 +54,12 @@ Flattened in_chords(const DrawList& list, double sagitta) {
   return made;
 }
 
+DrawList in_chords(const DrawList& list, const Fineness& fineness) {
+  DrawList made = in_chords(list, std::ldexp(1.0, -fineness.bits)).list;
+  made.crowd = fineness.crowd;
+  return made;
+}
+
 LinearImage drawn(const DrawnFrame& curves, const DrawList& list) {
   return render_linear(list, {std::nullopt, curves.threads});
 }
@@ -68,10 +84,35 @@ Setting chords(const std::shared_ptr<DrawnFrame>& curves, int part) {
       judged(curves, true)};
 }
 
+// The finest there is time for, and how far the one before is from it.
+struct Truth {
+  Fineness finest, rough;
+  double doubt;
+};
+Truth find_truth(DrawnFrame& curves, double seconds) {
+  const double start = processor_seconds();
+  const auto* fineness = kFineness.begin();
+  LinearImage rough = drawn(curves, in_chords(curves.list, *fineness));
+  for (double each = 0;;) {
+    const double begin = processor_seconds();
+    curves.truth = drawn(curves, in_chords(curves.list, *++fineness));
+    each = processor_seconds() - begin;
+    // One step finer takes some four times as long.
+    if (fineness + 1 == kFineness.end() || begin + 5 * each - start > seconds) break;
+    rough = std::move(curves.truth);
+  }
+  return {*fineness, fineness[-1], rms_difference(curves.truth.pixels, rough.pixels)};
+}
+
+std::string no_curve(const std::string& what) {
+  return fmt::format("no curve bounds what {} fills; lines along curves are drawn as polygons",
+                     what);
+}
+
 std::string left_out(const Scene& scene) {
   for (const Shape& shape : scene.shapes)
     if (!shape.circles.empty() || !shape.arc_paths.empty()) return "";
-  return "the scene has no curves";
+  return no_curve("the scene");
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
@@ -79,16 +120,17 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const std::shared_ptr<DrawnFrame>& curves = *frame;
   if (in_chords(curves->list, 1).chords == 0)
     return fail(context.scene.where,
-                fmt::format("frame {} shows no curve", middle_frame(context.scene)));
-  curves->truth = drawn(*curves, in_chords(curves->list, kTruthSagitta).list);
-  const LinearImage rough = drawn(*curves, in_chords(curves->list, kDoubtSagitta).list);
-  const double doubt = rms_difference(curves->truth.pixels, rough.pixels);
+                no_curve(fmt::format("frame {}", middle_frame(context.scene))));
+  const auto [finest, rough, doubt] = find_truth(*curves, reference_budget(context));
   ChoiceSettings made;
   made.unit = "root mean square of linear light, 1 is white";
   made.reference = fmt::format(
-      "frame {} with chords within 2^-18 px, by the exact coverage of polygons; those within 2^-16 "
+      "frame {} with chords within 2^-{} px, by the exact coverage of polygons; those within 2^-{} "
       "px differ by {:.2g}",
-      middle_frame(context.scene), doubt);
+      middle_frame(context.scene), finest.bits, rough.bits, doubt);
+  if (finest.bits < kFineness.back().bits)
+    made.cut = fmt::format("reference of chords within 2^-{} px instead of 2^-{} px", finest.bits,
+                           kFineness.back().bits);
   made.doubt = doubt;
   made.grows = "chords";
   for (const int part : {1, 4, 16, 64, 256, 1024}) made.settings.push_back(chords(curves, part));

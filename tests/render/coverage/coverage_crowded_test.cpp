@@ -54,7 +54,7 @@ TEST(CrowdedCoverage, ACrowdIsWithinItsBoundOfItselfSixtyFourTimesLarger) {
     double sideways = 0;
     for (const Segment& edge : small.edges) sideways += std::abs(edge.b.x() - edge.a.x());
     const double exact = area_of(large, 64) / (64 * 64);
-    EXPECT_NEAR(area_of(small, 1), exact, sideways / (2 * kLeastStrips) + 2.0 / kFullCoverage);
+    EXPECT_NEAR(area_of(small, 1), exact, sideways / (2 * kCrowd) + 2.0 / kFullCoverage);
     EXPECT_NEAR(area_of(small, 1), exact, 0.01) << "which strips miss by chance only";
   }
 }

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/capsule shapes/circle shapes/polygon shapes/segment choices/contact choices/motion choices/tracer
+// needs: shapes/arc shapes/bezier shapes/box shapes/capsule shapes/circle shapes/polygon shapes/segment choices/contact choices/motion choices/tracer
 #include "study/accuracy/accuracy.h"
 
 #include <fmt/core.h>
@@ -271,6 +271,29 @@ TEST(Accuracy, OfChordsFallsLikeTheSquareOfTheirNumber) {
   EXPECT_NEAR(report.orders.front().slope, -2, 0.2);
   EXPECT_LT(error_of(report, "curves as they are"), 1e-4);
   EXPECT_NE(report_of("flattening", "").left_out, "");
+}
+
+// Fine chords are a crowd in pixels in which few curves are none, so that strips were called nearer
+// than what is exact.
+TEST(Accuracy, NoChordsAreNearerThanTheCurvesWhereLinesCrossThem) {
+  std::string text = "[[entity]]\nshape = { circle = { centre = [16, 10], radius = 8.3 } }\n";
+  for (int i = 0; i < 3; ++i)
+    text += "[[entity]]\nshape = { circle = { centre = [" + std::to_string(15.8 + 0.15 * i) +
+            ", 10.1], radius = 8.2 } }\nfill = \"#ff0000\"\n";
+  const ChoiceReport report = report_of("flattening", text);
+  ASSERT_FALSE(report.points.empty());
+  EXPECT_TRUE(report.points.back().outcome.at_most) << report.reference;
+  EXPECT_LT(report.points.back().outcome.error, 2e-6);
+}
+
+// A line along a curve is a polygon in any case, whatever the scene holds.
+TEST(Accuracy, OfChordsSaysThatNoCurveBoundsWhatIsFilled) {
+  for (const char* shape : {"arc = { centre = [16, 10], radius = 5, from = 0, to = 200 }",
+                            "bezier = { points = [[4, 4], [8, 20], [20, 20], [28, 4]] }"})
+    EXPECT_TRUE(report_of("flattening", std::string("[[entity]]\nshape = { ") + shape +
+                                            " }\nstroke = { width = 2, colour = \"#000000\" }\n")
+                    .left_out.starts_with("no curve bounds what "))
+        << shape;
 }
 
 // A disc flies through a wall, and a bar turns over a disc, both between two frames; the first ends
