@@ -15,6 +15,18 @@ grep -e schema -e centres box.profile > centres.profile
 run 0 render box.toml -o chosen.png --profile centres.profile --error "$error"
 says err "profile: pixel centres, error "
 cmp -s centre.png chosen.png || fail "pixel centres are chosen, and another picture drawn"
+# Several values of one option are a list; older profiles have the option's name again.
+run 0 render box.toml -o rows.png -D 'film.coverage="rows"' -D film.rows=16
+{ head -1 box.profile; grep '"16 rays a row"' box.profile; } > rows.profile
+grep -q '"options":{"define":\["film.coverage=\\"rows\\"","film.rows=16"\]}' rows.profile || fail "no list of values: $(tail -1 rows.profile)"
+sed 's/:\["film.coverage/:"film.coverage/; s/,"film.rows=16"\]/,"define":"film.rows=16"/' rows.profile > old.profile
+grep -q '"define":"film.coverage=\\"rows\\"","define":"film.rows=16"}' old.profile || fail "no older profile"
+echo '{"choice":"light","setting":"1 ray","error":0,"seconds":0,"options":{"define":"light.rays=1"}}' >> old.profile
+for profile in rows old; do
+  run 0 render box.toml -o chosen.png --profile $profile.profile --error 1
+  says err "profile: 16 rays a row, error "
+  cmp -s rows.png chosen.png || fail "$profile: 16 rays a row are chosen, and another picture drawn"
+done
 run 4 render box.toml -o no.png --profile box.profile --error 1e-12
 says err "box.profile:3:1: error: no setting is known to have an error of 1e-12 or less"
 says err "say --error "

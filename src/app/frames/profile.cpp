@@ -44,6 +44,29 @@ bool may_choose(const std::string& name, const std::string& value) {
                                                     value.starts_with("film.rows=")));
 }
 
+// One value of an option, or several. Older profiles write the name of an option again for each.
+std::vector<std::optional<std::string>> texts_of(const JsonValue& value) {
+  const auto* several = std::get_if<Values>(&value.data);
+  if (several == nullptr) return {value.as_text()};
+  std::vector<std::optional<std::string>> texts;
+  for (const JsonValue& one : *several) texts.push_back(one.as_text());
+  return texts;
+}
+
+Fields fields_of(const RenderOptions& options) {
+  Fields fields;
+  for (const auto& [name, value] : options) {
+    const auto there = std::ranges::find(fields, name, &Fields::value_type::first);
+    if (there == fields.end())
+      fields.emplace_back(name, value);
+    else if (auto* several = std::get_if<Values>(&there->second.data))
+      several->emplace_back(value);
+    else
+      there->second = Values{there->second, value};
+  }
+  return fields;
+}
+
 // nullopt where it is none.
 std::optional<Way> way_of(const JsonValue& line, const Place& where) {
   Way way{line.text_of("setting"), 0, 0, line.find("at_most") != nullptr, {}, where};
@@ -53,11 +76,11 @@ std::optional<Way> way_of(const JsonValue& line, const Place& where) {
   if (way.words.empty() || !error || !seconds || fields == nullptr) return std::nullopt;
   way.error = *error;
   way.seconds = *seconds;
-  for (const auto& [name, value] : *fields) {
-    const auto text = value.as_text();
-    if (!text || !may_choose(name, *text)) return std::nullopt;
-    way.options.emplace_back(name, *text);
-  }
+  for (const auto& [name, value] : *fields)
+    for (const auto& text : texts_of(value)) {
+      if (!text || !may_choose(name, *text)) return std::nullopt;
+      way.options.emplace_back(name, *text);
+    }
   return way;
 }
 
@@ -77,6 +100,8 @@ Result<Profile> read_profile(const std::string& path) {
       if (!line || line->text_of("schema") != kProfileSchema)
         return fail(place, "is not a profile", "flatray accuracy SCENE --profile FILE writes one");
       profile.hash = line->text_of("scene_hash");
+    } else if (line && line->text_of("choice") == "light") {
+      // Older profiles have them, but errors of light are no errors of coverage.
     } else if (line && (way = way_of(*line, place))) {
       profile.ways.push_back(std::move(*way));
     } else {
@@ -142,13 +167,11 @@ std::string profile_text(const Scene& scene, std::span<const ChoiceReport> repor
   for (const ChoiceReport& report : reports)
     for (const AccuracyPoint& point : report.points) {
       if (!point.options) continue;
-      Fields options;
-      for (const auto& [name, value] : *point.options) options.emplace_back(name, value);
       Fields way{{"choice", report.name},
                  {"setting", point.setting},
                  {"error", point.outcome.error},
                  {"seconds", point.seconds},
-                 {"options", std::move(options)}};
+                 {"options", fields_of(*point.options)}};
       if (point.outcome.at_most) way.emplace_back("at_most", true);
       text += json_text(std::move(way)) + "\n";
     }

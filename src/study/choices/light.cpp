@@ -108,8 +108,6 @@ Setting followed(const std::shared_ptr<Lit>& lit, const Way& way, std::uint64_t 
     for (std::uint64_t k = 0; k < kSeeds; ++k) lit->found.push_back(lit->picture(way, rays, k));
   };
   setting.judge = [lit] { return judge(*lit); };
-  if (&way == kWays)
-    setting.options = RenderOptions{{"define", fmt::format("light.rays={}", rays)}};
   setting.series = way.series;
   return setting;
 }
