@@ -22,4 +22,11 @@ field=$root/scenes/chamber/magnetic_stadium.toml
 run 0 accuracy "$field" -o field --choice coverage --budget 0.000001s
 run 4 accuracy "$field" --choice tracer
 says err "a magnetic field bends them"
+# What must not be replaced is told before anything is measured.
+for name in accuracy.csv accuracy.json accuracy.html accuracy_light.svg; do
+  rm -rf foreign && mkdir foreign && echo 'all I know' > "foreign/$name"
+  SECONDS=0
+  run 6 accuracy "$root/scenes/light/nephroid.toml" -o foreign --choice light --budget 60s
+  ((SECONDS < 15)) || fail "$name is refused after $SECONDS s"
+done
 finish

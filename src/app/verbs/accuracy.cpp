@@ -46,6 +46,14 @@ struct Options : Arguments {
   }
 };
 
+// What its files begin with.
+ExperimentResult files_begun(const std::string& scene, std::span<const Choice* const> chosen) {
+  ExperimentResult begun = accuracy_report(scene, {});
+  for (const Choice* choice : chosen)
+    begun.files.push_back({fmt::format("accuracy_{}.svg", choice->name), "<?xml"});
+  return begun;
+}
+
 Result<VerbOutput> run(const Options& options) {
   FLATRAY_TRY(loaded, load_input(options.scene, options.operands()[0]));
   report_warnings(loaded->warnings, options);
@@ -63,6 +71,7 @@ Result<VerbOutput> run(const Options& options) {
       left_out.push_back({named_place(options.operands()[0]),
                           fmt::format("{} cannot be measured: {}", choice->name, why), ""});
   if (left_out.size() == chosen.size()) return tl::unexpected(std::move(left_out));
+  FLATRAY_TRY(begun, allow_files(files_begun(loaded->scene.name, chosen), options.output, outputs));
   expect_crashes_of_gl();  // where it is one of the choices
   const AccuracyContext context{loaded->scene, options.seed, options.scene.limits.threads,
                                 options.budget};
