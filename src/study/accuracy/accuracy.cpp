@@ -178,17 +178,17 @@ std::vector<FittedOrder> fit_orders(const ChoiceSettings& made,
 
 unsigned middle_frame(const Scene& scene) { return (scene.frames + 1) / 2; }
 
-Result<DrawList> middle_list(const AccuracyContext& context) {
-  const unsigned frame = middle_frame(context.scene);
-  FLATRAY_TRY(timeline, make_timeline(context.scene, context.seed, frame));
-  return draw_list(make_plan(context.scene, false), *timeline, frame);
+Result<DrawList> middle_list(const AccuracyContext& context, std::uint64_t most_rays) {
+  Scene scene = context.scene;
+  scene.light.rays = std::min(scene.light.rays, most_rays);
+  const unsigned frame = middle_frame(scene);
+  FLATRAY_TRY(timeline, make_timeline(scene, context.seed, frame));
+  return draw_list(make_plan(scene, false), *timeline, frame);
 }
 
 std::optional<Image> picture_of(const AccuracyContext& context) {
   constexpr std::uint64_t kMostRays = 1 << 16;  // for people to know the scene again
-  Scene scene = context.scene;
-  scene.light.rays = std::min(scene.light.rays, kMostRays);
-  const auto list = middle_list({scene, context.seed, context.threads, context.seconds});
+  const auto list = middle_list(context, kMostRays);
   if (!list) return std::nullopt;
   return render_image(*list, {std::nullopt, context.threads});
 }

@@ -135,10 +135,10 @@ struct AccuracyContext {
 /// Seconds of a budget that a reference may take.
 inline double reference_budget(const AccuracyContext& context) { return 0.6 * context.seconds; }
 
-/// The frame in the middle of the scene, which settings are measured on, and its picture, of few
-/// rays of light; none where it cannot be drawn.
+/// The frame in the middle of the scene, which settings are measured on, with no more than so many
+/// rays of light, and its picture; none where it cannot be drawn.
 unsigned middle_frame(const Scene& scene);
-Result<DrawList> middle_list(const AccuracyContext& context);
+Result<DrawList> middle_list(const AccuracyContext& context, std::uint64_t most_rays);
 std::optional<Image> picture_of(const AccuracyContext& context);
 
 /// Makes a film no larger than so many pixels on its longer side.

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "base/check.h"
 #include "base/entry_named.h"
 #include "base/processor_time.h"
 #include "image/compare.h"
@@ -62,18 +61,20 @@ void add_gl(ChoiceSettings& made, const std::shared_ptr<DrawnFrame>& film) {
   for (const unsigned count : {4U, 16U}) {
     const std::string words = fmt::format("--backend gl --samples {}", count);
     auto opened = backend->open({film->threads, count});
-    const Result<void> drawn = opened.and_then([&](const auto& gl) {
-      return gl->draw(film->list, {std::nullopt, film->threads}, film->drawn);
-    });
-    if (!drawn) {
-      made.missing.push_back({words, drawn.error().front().message});
+    if (!opened) {
+      made.missing.push_back({words, opened.error().front().message});
       continue;
     }
     const std::shared_ptr<Renderer> gl = std::move(*opened);
-    const auto work = [film, gl] {
-      FLATRAY_CHECK(gl->draw(film->list, {std::nullopt, film->threads}, film->drawn));
+    const auto drawn = std::make_shared<Result<void>>();
+    const auto work = [film, gl, drawn] {
+      *drawn = gl->draw(film->list, {std::nullopt, film->threads}, film->drawn);
     };
-    made.settings.push_back({words, 0, work, judged(film),
+    const auto judge = [drawn, of_drawn = judged(film)]() -> Result<Outcome> {
+      if (!*drawn) return tl::unexpected(drawn->error());
+      return of_drawn();
+    };
+    made.settings.push_back({words, 0, work, judge,
                              RenderOptions{{"backend", "gl"}, {"samples", std::to_string(count)}}});
   }
 }

@@ -20,7 +20,8 @@ namespace {
 
 constexpr int kSide = 128;           // pixels of the longer side of the film
 constexpr std::uint64_t kSeeds = 4;  // pictures of a setting
-constexpr std::uint64_t kMostRays = std::uint64_t{1} << 20, kTruthRays = std::uint64_t{1} << 18;
+constexpr std::uint64_t kLeastRays = 4096, kMostRays = std::uint64_t{1} << 20,
+                        kTruthRays = std::uint64_t{1} << 18;
 
 struct Way {
   const char* series;
@@ -77,16 +78,23 @@ Outcome judge(const Lit& lit) {
   return outcome;
 }
 
-// The mean of as many pictures as there is time for, and what it is off itself.
+// The mean of as many pictures as there is time for, of fewer rays where kSeeds are too many, and
+// what it is off itself.
 struct Truth {
+  std::uint64_t rays;
   std::size_t pictures;
   double doubt;
 };
 Truth find_truth(Lit& lit, double seconds) {
   const double start = processor_seconds();
+  lit.picture(kWays[0], kLeastRays, kSeeds);
+  const double least = processor_seconds() - start;
+  std::uint64_t rays = kTruthRays;
+  while (rays > kLeastRays && least * static_cast<double>(kSeeds * rays / kLeastRays) > seconds)
+    rays /= 4;
   std::vector<Fluence> pictures;
   while (pictures.size() < kSeeds || processor_seconds() - start < seconds)
-    pictures.push_back(lit.picture(kWays[0], kTruthRays, kSeeds + pictures.size()));
+    pictures.push_back(lit.picture(kWays[0], rays, kSeeds + pictures.size()));
   const auto count = static_cast<double>(pictures.size());
   lit.truth.assign(pictures.front().size(), 0.0);
   for (const Fluence& one : pictures)
@@ -96,7 +104,7 @@ Truth find_truth(Lit& lit, double seconds) {
     const double off = rms_difference(one, lit.truth);
     squares += off * off;
   }
-  return {pictures.size(), std::sqrt(squares / (count * (count - 1))) / mean(lit.truth)};
+  return {rays, pictures.size(), std::sqrt(squares / (count * (count - 1))) / mean(lit.truth)};
 }
 
 Setting followed(const std::shared_ptr<Lit>& lit, const Way& way, std::uint64_t rays) {
@@ -127,7 +135,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
                                 {}});
   Film& film = lit->scene.film;
   shrink(film, kSide);
-  const auto [pictures, doubt] = find_truth(*lit, reference_budget(context));
+  const auto [rays_of_truth, pictures, doubt] = find_truth(*lit, reference_budget(context));
   if (!(mean(lit->truth) > 0))
     return fail(context.scene.lamps.front().where, "no light reaches the picture");
   ChoiceSettings made;
@@ -135,11 +143,13 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
                           film.width, film.height);
   made.reference =
       fmt::format("frame {}, the mean of {} pictures of {} rays, which is off by {:.2g}", frame,
-                  pictures, kTruthRays, doubt);
+                  pictures, rays_of_truth, doubt);
+  if (rays_of_truth < kTruthRays)
+    made.cut = fmt::format("reference of {} rays instead of {}", rays_of_truth, kTruthRays);
   made.doubt = doubt;
   made.grows = "rays";
   const std::uint64_t pixels = pixel_count(film);
-  for (std::uint64_t rays = 4096; rays <= kMostRays; rays *= 4)
+  for (std::uint64_t rays = kLeastRays; rays <= kMostRays; rays *= 4)
     for (const Way& way : kWays) {
       if (way.estimator == LightEstimator::backward &&
           (why_not_backward(lit->scene) || paths_a_pixel(rays, pixels) * pixels > 2 * rays))

@@ -15,7 +15,7 @@
 namespace flatray::tracer_choice {
 namespace {
 
-constexpr std::uint64_t kRays = 20'000, kFewRays = 200, kFirstRays = 20;
+constexpr std::uint64_t kRays = 20'000, kFewRays = 20;
 constexpr unsigned kBits = 512;
 
 // The walls of the first frame, and rays from anywhere in the window in any direction.
@@ -43,10 +43,9 @@ std::shared_ptr<Shots> shots(const AccuracyContext& context) {
     const Ray shot = random_ray(state.window, context.seed, ray);
     made->rays.add(shot);
     made->truth.push_back(first_wall(made->world.surfaces, shot));
-    if (ray + 1 < kFirstRays) continue;
+    if (ray + 1 < kFewRays) continue;
     const double each = (processor_seconds() - start) / static_cast<double>(ray + 1);
-    if (each * static_cast<double>(ray + 2) > reference_budget(context) && ray + 1 >= kFewRays)
-      count = ray + 1;
+    if (each * static_cast<double>(ray + 2) > reference_budget(context)) count = ray + 1;
   }
   made->found.resize(count);
   return made;

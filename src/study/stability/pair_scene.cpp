@@ -28,7 +28,6 @@ Result<std::shared_ptr<PairScene>> pair_scene(const AccuracyContext& context) {
   if (responds(context.scene))
     return tl::unexpected(Diagnostics{refused_responses(context.scene, "this choice")});
   auto scene = std::make_shared<PairScene>(context, reference_budget(context));
-  if (auto met = find_meetings(scene->timeline, scene->frames()); !met) return fail(std::move(met));
   if (scene->truth.compared.empty())
     return fail(context.scene.where, "the reference tells of no pair: " + scene->truth.words());
   return scene;

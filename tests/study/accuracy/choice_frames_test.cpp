@@ -1,4 +1,4 @@
-// needs: shapes/box choices/coverage passes/entities
+// needs: shapes/box choices/coverage passes/entities lamps/point
 #include <gtest/gtest.h>
 
 #include <set>
@@ -44,6 +44,23 @@ TEST(Accuracy, ExactAreaIsThatOfAnySceneAndChosenSo) {
         EXPECT_EQ(one.options, (RenderOptions{{"define", "film.coverage=\"area\""}}));
       }
   }
+}
+
+// Light is beside the question there, and all its rays would take longer than any budget.
+TEST(Accuracy, TheFrameInTheMiddleHasFewRaysOfLight) {
+  const auto light_of = [](const std::string& rays) {
+    const Scene scene =
+        loaded(
+            "flatray = 1\nfilm = { size = [12, 8], world = [[0, 0], [12, 8]] }\nlight = { rays = " +
+            rays + " }\n[[lamp]]\nsource = { point = {} }\nat = [6, 4]\n")
+            .scene;
+    const auto frame = frame_to_draw({scene}).value();
+    for (const DrawItem& item : frame->list.items)
+      if (item.light) return item.light->rgb;
+    return std::vector<float>();
+  };
+  EXPECT_FALSE(light_of("4096").empty());
+  EXPECT_EQ(light_of("1000000"), light_of("4096"));
 }
 
 // How much of a pixel a thing covers has nothing to do with rays.
