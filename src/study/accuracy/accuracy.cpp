@@ -187,7 +187,7 @@ Result<DrawList> middle_list(const AccuracyContext& context, std::uint64_t most_
 }
 
 std::optional<Image> picture_of(const AccuracyContext& context) {
-  constexpr std::uint64_t kMostRays = 1 << 16;  // for people to know the scene again
+  constexpr std::uint64_t kMostRays = 1 << 14;  // for people to know the scene again
   const auto list = middle_list(context, kMostRays);
   if (!list) return std::nullopt;
   return render_image(*list, {std::nullopt, context.threads});
