@@ -150,6 +150,25 @@ run 2 render lamp.toml --error 0 -o lit.png
 run 2 render lamp.toml --error-image lit.png -o lit.png
 run 2 render lamp.toml -D light.scrambles=3 -o lit.png
 
+# Frames whose picture of the error was not asked for, is gone or not as written are rendered again.
+sed 's/^flatray = 1/flatray = 1\nframes = 3/; s/^at = .*/velocity = [1, 0]/' lamp.toml > errors.toml
+errors() { run 0 render errors.toml --size 8x6 --error 0.5 -o 'e/####.png' "$@"; }
+errors
+changes=(3 1 1 2)
+for change in : 'rm err/0002.pfm' 'truncate -s -1 err/0002.pfm' 'cp err/0001.pfm err/0003.pfm; rm e/0001.png'; do
+  eval "$change"
+  errors --error-image 'err/####.pfm' --resume
+  says err "flatray: ${changes[0]} frame"
+  changes=("${changes[@]:1}")
+  run 0 render errors.toml --size 8x6 --error 0.5 -o 'f/####.png' --error-image 'ferr/####.pfm' --quiet
+  for i in 1 2 3; do as_one err/000$i.pfm ferr/000$i.pfm "$change"; as_one e/000$i.png f/000$i.png "$change"; done
+done
+errors --error-image 'err/####.pfm' --resume
+says err "0 frames written, 3 kept"
+errors --resume
+says err "0 frames written, 3 kept"
+run 0 verify e
+
 # Lost light is told.
 sed 's/bounces = 2, //; s/^material.*/material = "mirror"/; s/^at = .*/at = [0.5, 0]/' lamp.toml > shut.toml
 run 0 render shut.toml --rays 100 -o lit.png

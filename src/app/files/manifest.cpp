@@ -35,6 +35,7 @@ JsonValue as_value(const FrameRecord& record) {
                 {"height", record.height}, {"pixels", record.pixels}, {"bytes", record.bytes},
                 {"scene", record.scene},   {"seed", record.seed},     {"backend", record.backend}};
   if (record.light) fields.emplace_back("light", as_value(*record.light));
+  if (!record.error_image.empty()) fields.emplace_back("error_image", record.error_image);
   return fields;
 }
 
@@ -88,6 +89,7 @@ std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
   // Lines of versions that had one back end only do not name it.
   if (value->find("backend") != nullptr) record.backend = value->text_of("backend");
   if (const JsonValue* light = value->find("light")) record.light = light_in(*light);
+  record.error_image = value->text_of("error_image");
   // A name with folders in it would lead elsewhere.
   if (record.frame == 0 || record.bytes.empty() || record.file.empty() ||
       record.file.find('/') != std::string::npos)

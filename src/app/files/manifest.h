@@ -37,6 +37,7 @@ struct FrameRecord {
   std::uint64_t seed = 0;
   std::string backend = "software";    ///< what drew it, with all its pixels depend on
   std::optional<LightRecord> light{};  ///< of scenes with lamps
+  std::string error_image{};           ///< hash of its file, where one was asked for
   bool operator==(const FrameRecord&) const = default;
 };
 

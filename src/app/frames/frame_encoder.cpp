@@ -68,10 +68,11 @@ Result<void> FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
 void FrameEncoder::keep_report() {
   if (job_.scene.lamps.empty()) return;
   out_.record.light = record_of(report_);
-  if (job_.light.error_image && !options_.stopped())
-    out_.error_bytes =
-        error_picture(report_, job_.light.error_image->format(),
-                      {0, 0, job_.scene.film.width, job_.scene.film.height}, job_.picture());
+  if (!job_.light.error_image || options_.stopped()) return;
+  out_.error_bytes =
+      error_picture(report_, job_.light.error_image->format(),
+                    {0, 0, job_.scene.film.width, job_.scene.film.height}, job_.picture());
+  out_.record.error_image = Hash().add(out_.error_bytes).hex();
 }
 
 Result<const Encoded*> FrameEncoder::encode_film(const RenderPlan& plan, const Timeline& timeline,

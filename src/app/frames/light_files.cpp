@@ -121,8 +121,9 @@ class Keeper {
 };
 
 // What there is to go on from; empty where there is nothing.
-Result<TracedLight> light_before(const RenderJob& job, const fs::path& path,
-                                 const std::string& setting) {
+Result<TracedLight> light_before(const RenderJob& job, unsigned frame) {
+  const fs::path path = job.path(frame);
+  const std::string setting = json_text(job.film_setting(frame));
   std::error_code ignored;
   if (!job.light.resume || job.output.is_stdout() || !fs::exists(path, ignored))
     return TracedLight{};
@@ -203,12 +204,19 @@ Result<void> merge_film(FilmFile& film, const FilmFile& more, const std::string&
   return add_film(film, more, name);
 }
 
+Result<void> expect_films(const RenderJob& job, std::span<const unsigned> frames) {
+  if (job.output.format().of_film == nullptr) return {};
+  for (const unsigned frame : frames)
+    if (auto before = light_before(job, frame); !before) return fail(std::move(before));
+  return {};
+}
+
 Result<std::optional<FilmFile>> traced_film(const RenderJob& job, const RenderPlan& plan,
                                             const Timeline& timeline, unsigned frame,
                                             const FrameOptions& options) {
   const fs::path path = job.path(frame);
   const std::string setting = json_text(job.film_setting(frame));
-  FLATRAY_TRY(before, light_before(job, path, setting));
+  FLATRAY_TRY(before, light_before(job, frame));
   LightGoal goal = *plan.light_goal;
   Keeper keeper(path, setting);
   goal.told = [&](const TracedLight& light, std::optional<double> error) {

@@ -28,6 +28,10 @@ Result<FilmFile> read_film(const std::filesystem::path& path, std::size_t most_b
 /// Adds a film that was read from `name`. Error   Trouble::invalid, with what differs.
 Result<void> merge_film(FilmFile& film, const FilmFile& more, const std::string& name);
 
+/// Whether --resume can go on from the films of frames that are there; nothing is written.
+/// Error   that of traced_film.
+Result<void> expect_films(const RenderJob& job, std::span<const unsigned> frames);
+
 /// The film of a frame: with --resume that which is there, and to it the rays that it lacks. What
 /// has been traced is written from time to time, so that a run that is killed loses little.
 /// Gives   nullopt where it was stopped.

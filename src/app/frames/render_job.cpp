@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <set>
 
 #include "app/frames/frame_source.h"
@@ -13,6 +15,7 @@
 #include "app/interrupt.h"
 #include "base/counted.h"
 #include "base/file.h"
+#include "base/hash.h"
 #include "base/json.h"
 #include "base/parallel.h"
 #include "collide/scene_timeline.h"
@@ -22,12 +25,59 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kFirstName = "{\"frame\":";  // of a line of a list
+
+// Beside the pictures of a sequence.
+std::array<fs::path, 2> lists_of(const RenderJob& job) {
+  return {job.manifest(), timings_path(job.folder(), job.shard)};
+}
+
+// The lines of a manifest without records of `files`, and without what is no record.
+std::string without_files(const std::string& text, const std::set<std::string>& files) {
+  std::string lines;
+  each_line(text, [&](std::string_view line) {
+    const std::optional<FrameRecord> record = parse_manifest_line(line);
+    if (record && !files.contains(record->file)) lines += std::string(line) + "\n";
+  });
+  return lines;
+}
+
+// Takes the records of frames to be made out of all manifests, and those that --resume keeps, also from
+// others, into that of the job.
+Result<void> drop_records(const Work& work, const Outputs& outputs) {
+  const RenderJob& job = *work.job;
+  for (const fs::path& list : lists_of(job))
+    if (auto free = outputs.make_way(list, kFirstName); !free) return free;
+  std::set<std::string> files;
+  for (const unsigned frame : work.frames) files.insert(job.path(frame).filename());
+  std::vector<fs::path> manifests = manifests_in(job.folder());
+  if (std::ranges::find(manifests, job.manifest()) == manifests.end())
+    manifests.push_back(job.manifest());
+  for (const fs::path& manifest : manifests) {
+    auto merged = Journal(manifest).merge([&](const std::string& text) -> Result<std::string> {
+      const Records before = records_of(text);
+      const bool own = manifest == job.manifest();
+      const bool goes = std::ranges::any_of(
+          files, [&](const std::string& file) { return before.contains(file); });
+      std::string changed = own || goes ? without_files(text, files) : text;
+      for (const auto& [file, record] : work.kept) {
+        const auto there = before.find(file);
+        if (own && (there == before.end() || there->second != record))
+          changed += manifest_line(record) + "\n";
+      }
+      return changed;
+    });
+    if (!merged) return merged;
+  }
+  return {};
+}
+
 // Draws and writes the frames of one job in runs of neighbours, which have most in common.
 class FrameMaker {
  public:
-  FrameMaker(const RenderJob& job, const FrameSource& source, const std::vector<unsigned>& frames,
-             const Spread& spread, const std::function<void()>& done, const Claim* claim)
-      : job_(job), source_(source), frames_(frames), spread_(spread), done_(done), claim_(claim) {}
+  FrameMaker(const Work& work, const FrameSource& source, const std::vector<unsigned>& frames,
+             const Spread& spread, const std::function<void()>& done, const Hold* hold)
+      : work_(work), source_(source), frames_(frames), spread_(spread), done_(done), hold_(hold) {}
 
   JobResult operator()() {
     std::vector<JobResult> runs((frames_.size() + run_ - 1) / run_);
@@ -79,62 +129,88 @@ class FrameMaker {
   }
 
   // A record without frame: the frame was interrupted.
-  Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
+  Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) {
+    if (job_.output.format().of_film != nullptr)  // written while it is traced
+      if (auto begun = begin(); !begun) return fail(std::move(begun));
     FLATRAY_TRY(made, source_.encode(frame, encoder));
     if (*made == nullptr) return FrameRecord{};
     FrameRecord record = (*made)->record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
-    FLATRAY_TRY(written, write((*made)->bytes, record));
-    if (job_.light.error_image) {
-      FLATRAY_TRY(beside,
-                  write_file(job_.light.error_image->path(job_.name, frame), (*made)->error_bytes));
-    }
+    FLATRAY_TRY(written, write(**made, record));
     return record;
   }
 
-  // A single picture with a name of its own needs no list beside it.
-  Result<void> write(std::span<const std::byte> bytes, const FrameRecord& record) const {
-    const fs::path path = job_.path(record.frame);
-    if (!job_.output.has_frame()) return write_file(path, bytes);
-    FLATRAY_TRY(file, NewFile::write(path, bytes));
-    const auto take_name = [&]() -> Result<void> {
-      if (claim_ != nullptr)
-        if (auto held = claim_->expect_held(); !held) return held;
-      return file->take_name();
-    };
-    return manifest_.add(manifest_line(record) + "\n", take_name, Journal::Flush::later);
+  // Makes the records true, once: what cannot be drawn before changes none.
+  Result<void> begin() {
+    std::call_once(once_, [this] {
+      if (hold_ != nullptr)
+        begun_ = hold_->claim.expect_held().and_then(
+            [this] { return drop_records(work_, *hold_->outputs); });
+    });
+    return begun_;
   }
 
-  const RenderJob& job_;
+  // The picture of the error takes its name first: where a picture is there, it is, too. A single
+  // picture with a name of its own needs no list beside it.
+  Result<void> write(const Encoded& made, const FrameRecord& record) {
+    std::vector<NewFile> files;
+    const auto add = [&](const fs::path& path, std::span<const std::byte> bytes) -> Result<void> {
+      FLATRAY_TRY(file, NewFile::write(path, bytes));
+      files.push_back(std::move(*file));
+      return {};
+    };
+    if (const auto& image = job_.light.error_image) {
+      FLATRAY_TRY(beside, add(image->path(job_.name, record.frame), made.error_bytes));
+    }
+    FLATRAY_TRY(whole, add(job_.path(record.frame), made.bytes));
+    const auto take_names = [&]() -> Result<void> {
+      if (hold_ != nullptr)
+        if (auto held = hold_->claim.expect_held(); !held) return held;
+      for (NewFile& file : files)
+        if (auto named = file.take_name(); !named) return named;
+      return {};
+    };
+    if (auto begun = begin(); !begun) return begun;
+    if (job_.output.has_frame())
+      return manifest_.add(manifest_line(record) + "\n", take_names, Journal::Flush::later);
+    return take_names().map([&] { flush_folder(job_.folder()); });
+  }
+
+  const Work& work_;
+  const RenderJob& job_ = *work_.job;
   const FrameSource& source_;
   const std::vector<unsigned>& frames_;
   const Spread spread_;
   const std::function<void()>& done_;
-  const Claim* const claim_;
+  const Hold* const hold_;
   const std::size_t run_ = run_length(frames_.size(), spread_);
   const Journal manifest_{job_.manifest()};
+  std::once_flag once_;
+  Result<void> begun_{};
   std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
 };
 
-// The lines of all manifests in a folder.
-Result<std::string> text_of_manifests(const fs::path& folder) {
-  std::string all;
-  for (const fs::path& manifest : manifests_in(folder)) {
-    FLATRAY_TRY(text, Journal(manifest).read());
-    all += *text;
-  }
-  return all;
+// Whether all that was made of a frame is there and whole, with the picture of its error where the
+// job asks for one.
+bool is_kept(const RenderJob& job, const FrameRecord& record) {
+  if (!is_whole(record, job.folder())) return false;
+  if (!job.light.error_image) return true;
+  const auto there = read_regular_file(job.light.error_image->path(job.name, record.frame));
+  return there && Hash().add(std::as_bytes(std::span(*there))).hex() == record.error_image;
 }
 
-// The lines of a manifest without records of `files`, and without what is no record.
-std::string without_files(const std::string& text, const std::set<std::string>& files) {
-  std::string lines;
-  each_line(text, [&](std::string_view line) {
-    const std::optional<FrameRecord> record = parse_manifest_line(line);
-    if (record && !files.contains(record->file)) lines += std::string(line) + "\n";
-  });
-  return lines;
+// The lines of all manifests in a folder. `replaceable` may be unreadable: --force replaces it.
+Result<std::string> text_of_manifests(const fs::path& folder, const fs::path& replaceable = {}) {
+  std::string all;
+  for (const fs::path& manifest : manifests_in(folder)) {
+    auto text = Journal(manifest).read();
+    if (text)
+      all += *text;
+    else if (manifest != replaceable)
+      return text;
+  }
+  return all;
 }
 
 // What is told of records of other settings in the pattern of a job, beside which its pictures will
@@ -203,7 +279,7 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
   }
   std::vector<char> whole(candidates.size());
   parallel_for(candidates.size(), threads,
-               [&](std::size_t i) { whole[i] = is_whole(candidates[i], job.folder()) ? 1 : 0; });
+               [&](std::size_t i) { whole[i] = is_kept(job, candidates[i]) ? 1 : 0; });
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (whole[i] != 0) work.kept[candidates[i].file] = candidates[i];
   std::copy_if(job.frames.begin(), job.frames.end(), std::back_inserter(work.frames),
@@ -211,61 +287,51 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
   return work;
 }
 
-Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& warnings) {
+Result<void> expect_place(const Work& work, const Outputs& outputs, Diagnostics& warnings) {
   const RenderJob& job = *work.job;
-  constexpr std::string_view kFirstName = "{\"frame\":";
-  for (const fs::path& list : {job.manifest(), timings_path(job.folder(), job.shard)}) {
-    FLATRAY_TRY(allowed, outputs.make_way(list, kFirstName));
+  if (job.output.is_stdout() || work.frames.empty()) return {};
+  if (const auto& image = job.light.error_image)
+    for (const unsigned frame : work.frames)
+      if (auto free = outputs.allow(image->path(job.name, frame), image->format().beginning); !free)
+        return free;
+  Records recorded;
+  if (job.output.has_frame()) {
+    for (const fs::path& list : lists_of(job))
+      if (auto free = outputs.allow(list, kFirstName); !free) return free;
+    FLATRAY_TRY(lines, text_of_manifests(job.folder(), job.manifest()));
+    recorded = records_of(*lines);
   }
-  FLATRAY_TRY(lines, text_of_manifests(job.folder()));
-  const Records recorded = records_of(*lines);
-  std::set<std::string> files;
   for (const unsigned frame : work.frames) {
-    const std::string& file = *files.insert(job.path(frame).filename()).first;
-    FLATRAY_TRY(allowed, outputs.allow(job.path(frame), job.output.format().beginning,
-                                       recorded.contains(file)));
+    const fs::path path = job.path(frame);
+    const bool ours = recorded.erase(path.filename()) > 0;
+    if (auto free = outputs.allow(path, job.output.format().beginning, ours); !free) return free;
+    if (job.output.format().is_video()) break;  // one file of all frames
   }
-  FLATRAY_TRY(claim, Claim::take(job.folder(), job.output.file_pattern(job.name),
-                                 json_text(job.setting()), outputs.force()));
-  std::vector<fs::path> manifests = manifests_in(job.folder());
-  if (std::ranges::find(manifests, job.manifest()) == manifests.end())
-    manifests.push_back(job.manifest());
-  Records others;
-  for (const fs::path& manifest : manifests) {
-    auto merged = Journal(manifest).merge([&](const std::string& text) -> Result<std::string> {
-      const Records before = records_of(text);
-      const bool own = manifest == job.manifest();
-      const bool goes = std::ranges::any_of(
-          files, [&](const std::string& file) { return before.contains(file); });
-      std::string changed = own || goes ? without_files(text, files) : text;
-      for (const auto& [file, record] : work.kept) {  // by --resume, also from others
-        const auto there = before.find(file);
-        if (own && (there == before.end() || there->second != record))
-          changed += manifest_line(record) + "\n";
-      }
-      others.merge(records_of(changed));
-      return changed;
-    });
-    if (!merged) return fail(std::move(merged));
-  }
-  if (auto mixed = mixture(job, others)) warnings.push_back(std::move(*mixed));
-  return claim;
+  if (auto mixed = mixture(job, recorded)) warnings.push_back(std::move(*mixed));
+  return expect_films(job, work.frames);
 }
 
-JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
-                  const std::function<void()>& done, const Claim* claim, const Told& told) {
-  if (frames.empty()) return {};
+Result<Hold> hold_pattern(const RenderJob& job, const Outputs& outputs) {
+  FLATRAY_TRY(claim, Claim::take(job.folder(), job.output.file_pattern(job.name),
+                                 json_text(job.setting()), outputs.force()));
+  return Hold{std::move(*claim), &outputs};
+}
+
+JobResult run_job(const Work& work, unsigned threads, const std::function<void()>& done,
+                  const Hold* hold, const Told& told) {
+  const RenderJob& job = *work.job;
+  if (work.frames.empty()) return {};
   Result<PartTimeline> part = timeline_before_trouble(job.scene, job.seed, job.last_frame);
   if (!part) return {{}, {}, std::move(part).error()};
-  std::vector<unsigned> known = frames;
+  std::vector<unsigned> known = work.frames;
   std::erase_if(known, [&](unsigned frame) { return frame > part->last_frame; });
   const bool video = job.output.format().part != nullptr;  // of all its frames, or none
-  if (known.empty() || (video && known.size() < frames.size()))
+  if (known.empty() || (video && known.size() < work.frames.size()))
     return {{}, {}, std::move(part->problems), true};
   const FrameSource source(job, part->timeline, known.front(), known.size(), threads, told);
   JobResult result =
       video ? make_video(job, source, known, threads, done)
-            : FrameMaker(job, source, known, spread(job, known.size(), threads), done, claim)();
+            : FrameMaker(work, source, known, spread(job, known.size(), threads), done, hold)();
   if (auto lost = lost_light(job.scene, result.written))
     result.warnings.push_back(std::move(*lost));
   if (auto missed = missed_error(job.light.error, result.written))

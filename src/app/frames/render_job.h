@@ -76,12 +76,18 @@ struct Work {
 /// Reads records and pictures, and writes nothing.
 Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads);
 
-/// Before the first frame: makes the records true for what comes, those of frames to be made gone,
-/// so that a stop at any moment leaves them so. Others' stay; `warnings` tells of those in the same
-/// pattern that are from another scene or setting.
-/// Gives   the claim to the pattern. Error   Trouble::output: another run is at work on it, or what
-///         stands in its way is not its own.
-Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& warnings);
+/// Refuses what would go wrong where the files of a job are to be; writes nothing. `warnings` tells of
+/// records in the same pattern that stay and are from another scene or setting.
+/// Error   Trouble::output: what stands in its way is not its own; that of expect_films.
+Result<void> expect_place(const Work& work, const Outputs& outputs, Diagnostics& warnings);
+
+/// What a run of a sequence holds until it ends.
+struct Hold {
+  Claim claim;             ///< to the pattern
+  const Outputs* outputs;  ///< says what lists may be replaced
+};
+/// Error   Trouble::output: another run is at work on the pattern.
+Result<Hold> hold_pattern(const RenderJob& job, const Outputs& outputs);
 
 struct JobResult {
   std::vector<FrameRecord> written;  ///< by frame
@@ -95,13 +101,14 @@ struct JobResult {
   /// The frames that follow. Of problems the first is kept: all threads meet the same full disk.
   void add(JobResult&& more);
 };
-/// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early,
-/// whole frames kept, when interrupted, when a file cannot be written or the claim is lost. `done`
-/// is told of every frame, and `told` how far the light of one has come, by any thread.
+/// Draws and writes the frames of `work`, each with its line of the manifest once it is whole. Stops
+/// early, whole frames kept, when interrupted, when a file cannot be written or the claim is lost.
+/// `done` is told of every frame, and `told` how far the light of one has come, by any thread.
+/// Before the first file has its name the records are made true for what comes, those of frames to be
+/// made gone, so that a stop at any moment leaves them so. Others' stay.
 using Told = std::function<void(const std::string&)>;
-JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
-                  const std::function<void()>& done, const Claim* claim = nullptr,
-                  const Told& told = {});
+JobResult run_job(const Work& work, unsigned threads, const std::function<void()>& done,
+                  const Hold* hold = nullptr, const Told& told = {});
 
 /// One picture as the bytes of its file. Error   what the job's back end cannot draw.
 Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,

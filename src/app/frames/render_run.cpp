@@ -52,10 +52,10 @@ class Run {
     if (const auto begun = begin(); !begun) return give_up(begun.error());
     for (const Work& work : list_.works) {
       if (interrupted()) break;
-      const auto claim = claims_.find(&work);
+      const auto hold = holds_.find(&work);
       JobResult result = run_job(
-          *work.job, work.frames, list_.threads, [this] { progress_.step(); },
-          claim == claims_.end() ? nullptr : &claim->second,
+          work, list_.threads, [this] { progress_.step(); },
+          hold == holds_.end() ? nullptr : &hold->second,
           [this](const std::string& news) { progress_.tell(news); });
       if (!result.warnings.empty()) progress_.finish();
       report_warnings(result.warnings, arguments_);
@@ -78,36 +78,27 @@ class Run {
     return std::ranges::any_of(list.works, [](const Work& work) { return work.job->has_light(); });
   }
 
-  // All that can be refused is refused before the first picture. Where nothing is to be done
-  // nothing is written. Files of runs that were killed go first.
+  // All that can be refused is refused before anything is written or removed. Where nothing is to be
+  // done nothing is written. Files of runs that were killed go first.
   Result<void> begin() {
-    const Outputs outputs(arguments_);
     Diagnostics warnings;
     for (const Work& work : list_.works) {
-      const RenderJob& job = *work.job;
-      if (job.output.is_stdout()) continue;
-      if (const auto link = job.output.link_chosen_by(job.name))
+      if (const auto link = work.job->output.link_chosen_by(work.job->name))
         return fail(named_place(link->string()), "is a link, and a scene's name led to it",
                     "remove it, or write the folder out in -o", Trouble::output);
-      remove_leftovers(job.folder());
-      if (work.frames.empty()) {
-        for (const std::filesystem::path& manifest : manifests_in(job.folder())) {
-          FLATRAY_TRY(mended, Journal(manifest).mend());
-        }
-        continue;
-      }
-      if (job.light.error_image)
-        for (const unsigned frame : work.frames) {
-          FLATRAY_TRY(allowed, outputs.allow(job.light.error_image->path(job.name, frame),
-                                             job.light.error_image->format().beginning));
-        }
-      if (!job.output.has_frame()) {
-        FLATRAY_TRY(allowed,
-                    outputs.allow(job.path(work.frames.front()), job.output.format().beginning));
-        continue;
-      }
-      FLATRAY_TRY(claim, begin_work(work, outputs, warnings));
-      claims_.emplace(&work, std::move(*claim));
+      if (auto free = expect_place(work, outputs_, warnings); !free) return free;
+    }
+    for (const Work& work : list_.works) {
+      if (!work.job->output.has_frame() || work.frames.empty()) continue;
+      FLATRAY_TRY(hold, hold_pattern(*work.job, outputs_));
+      holds_.emplace(&work, std::move(*hold));
+    }
+    for (const Work& work : list_.works) {
+      if (work.job->output.is_stdout()) continue;
+      remove_leftovers(work.job->folder());
+      if (!work.frames.empty()) continue;
+      for (const std::filesystem::path& manifest : manifests_in(work.job->folder()))
+        if (auto mended = Journal(manifest).mend(); !mended) return mended;
     }
     report_warnings(warnings, arguments_);
     return {};
@@ -147,7 +138,8 @@ class Run {
   const char* const lost_ = list_.works.empty() ? nullptr : lost_by_stop(*list_.works.front().job);
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t written_ = 0, kept_ = 0;
-  std::map<const Work*, Claim> claims_;  ///< to the patterns of sequences
+  const Outputs outputs_{arguments_};
+  std::map<const Work*, Hold> holds_;  ///< of sequences
   Values results_;
 };
 

@@ -21,7 +21,7 @@ JobResult four_frames(const std::string& entity, bool keep_all = false,
       entity + "\n");
   const auto output = OutputPattern::parse((folder / pattern).string(), std::nullopt, {});
   const RenderJob job{scene, "boxes", *output, {1, 2, 3, 4}, 4, {}, {}, 0, keep_all};
-  const JobResult result = run_job(job, job.frames, 1, [] {});
+  const JobResult result = run_job(Work{&job, {}, job.frames}, 1, [] {});
   EXPECT_TRUE(result.problems.empty());
   EXPECT_EQ(result.written.size(), 4U);
   std::filesystem::remove_all(folder);
