@@ -78,7 +78,8 @@ Diagnostics unknown_verb(const std::string& word) {
   std::error_code ignored;
   std::string hint = fmt::format("say one of: {}", comma_list(known));
   if (word.starts_with('-')) hint = "the verb comes first, as in: flatray render SCENE --quiet";
-  if (std::filesystem::exists(word, ignored)) hint = fmt::format("flatray render {}", word);
+  if (std::filesystem::exists(word, ignored))
+    hint = fmt::format("flatray render {}", shell_word(word));
   return {{named_place(word),
            near.empty() ? "unknown verb" : fmt::format("unknown verb (did you mean {}?)", near),
            hint, Trouble::usage}};

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "base/shown_text.h"
 #include "base/table.h"
 
 namespace flatray {
@@ -40,7 +41,7 @@ class JsonWriter {
     if (plain)
       out_.append("\"").append(text).append("\"");
     else
-      out_ += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+      out_ += nlohmann::json(with_stray_bytes_shown(text)).dump();
   }
 
   void add(const Values& values) {

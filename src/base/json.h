@@ -68,7 +68,7 @@ struct JsonStyle {
   bool null_for_infinity = false;  ///< what JSON lacks is else "inf", "-inf" or "nan"
 };
 
-/// Numbers are shortest round-trip; bytes that are not UTF-8 become U+FFFD.
+/// Numbers are shortest round-trip; bytes that are not UTF-8 become "\xff", as in shown_text.
 std::string json_text(const JsonValue& value, const JsonStyle& style = {});
 
 /// What keeps a text from being JSON, and the byte at which that shows, from 1.

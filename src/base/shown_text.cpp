@@ -46,6 +46,8 @@ std::string shown_character(std::string_view character, bool lines) {
   return is_hidden(code) ? fmt::format("\\u{:04x}", code) : std::string(character);
 }
 
+std::string stray_byte(char c) { return fmt::format("\\x{:02x}", byte(c)); }
+
 std::string shown(std::string_view text, bool lines) {
   std::string all;
   all.reserve(text.size());
@@ -55,8 +57,7 @@ std::string shown(std::string_view text, bool lines) {
     text.remove_prefix(static_cast<std::size_t>(odd - text.begin()));
     if (text.empty()) break;
     const std::size_t length = utf8_length(text);
-    all += length == 0 ? fmt::format("\\x{:02x}", byte(text.front()))
-                       : shown_character(text.substr(0, length), lines);
+    all += length == 0 ? stray_byte(text.front()) : shown_character(text.substr(0, length), lines);
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return all;
@@ -81,9 +82,31 @@ std::string shown_lines(std::string text) {
   return plain ? std::move(text) : shown(text, true);  // most are, and may be long
 }
 
+std::string with_stray_bytes_shown(std::string_view text) {
+  std::string all;
+  for (;;) {
+    const std::size_t stray = utf8_prefix(text);
+    all += text.substr(0, stray);
+    if (stray == text.size()) return all;
+    all += stray_byte(text[stray]);
+    text.remove_prefix(stray + 1);
+  }
+}
+
 std::size_t shown_width(std::string_view shown) {
   return static_cast<std::size_t>(
       std::ranges::count_if(shown, [](char c) { return (byte(c) & 0xc0) != 0x80; }));
+}
+
+std::string shell_word(std::string_view text) {
+  const bool plain = std::ranges::all_of(text, [](char c) {
+    return ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') ||
+           byte(c) >= 0x80 || std::string_view("_-./:,+@%").find(c) != std::string_view::npos;
+  });
+  if (plain && !text.empty()) return std::string(text);
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
 }
 
 std::string csv_field(std::string_view text) {

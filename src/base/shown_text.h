@@ -14,8 +14,15 @@ std::string shown_text(std::string_view text);
 /// The same of many lines: their ends and tabs stay.
 std::string shown_lines(std::string text);
 
+/// The text itself, but for bytes that are no UTF-8, which are shown as above.
+std::string with_stray_bytes_shown(std::string_view text);
+
 /// Columns a terminal gives to text that is shown, narrow characters as they mostly are.
 std::size_t shown_width(std::string_view shown);
+
+/// A text as one word of a POSIX shell, in quotes where it needs them: of commands that are shown to be
+/// pasted.
+std::string shell_word(std::string_view text);
 
 /// A text as a field of CSV (RFC 4180), shown as above. What begins with = + - or @ and is no number or
 /// fraction, a formula where a spreadsheet opens the table, has an apostrophe before it.

@@ -19,6 +19,21 @@ TEST(ShownText, OfManyLinesOnlyTheEndsStay) {
   EXPECT_EQ(shown_lines("one\ntwo\r\n\x1b\n"), "one\ntwo\\r\n\\u001b\n");
 }
 
+TEST(ShownText, StrayBytesAreShownAndNothingElse) {
+  EXPECT_EQ(with_stray_bytes_shown("\n\xc3\xbc\xff\\\xc3"), "\n\xc3\xbc\\xff\\\\xc3");
+  EXPECT_EQ(with_stray_bytes_shown(""), "");
+}
+
+TEST(ShellWord, QuotesStandWhereAShellWouldReadMore) {
+  for (const char* plain : {"scenes/demo.toml", "-f", "a,b:c+d@e%f", "\xc3\xbcml.toml"})
+    EXPECT_EQ(shell_word(plain), plain);
+  EXPECT_EQ(shell_word("a b;rm $(x) `y`"), "'a b;rm $(x) `y`'");
+  EXPECT_EQ(shell_word("it's"), R"('it'\''s')");
+  for (const char* odd : {"", "~", "#", "a*", "a?", "[a]", "{a}", "a=b", "a\nb", "a\\b", "a\"b",
+                          "!a", "a&", "<a>", "(a)", "a|b", "^a"})
+    EXPECT_EQ(shell_word(odd), std::string("'") + odd + "'");
+}
+
 TEST(ShownText, WidthCountsCharacters) { EXPECT_EQ(shown_width("n\xc3\xa9\xe2\x82\xac"), 3U); }
 
 TEST(CsvField, QuotesWhatSeparates) {

@@ -48,6 +48,19 @@ clean "the scene's file name"
 run 3 check $'absent\e[2J.toml'
 clean "an absent file"
 
+# Bytes that are not UTF-8 make no JSON that is none, and no records that name other files.
+scene $'stray\xff.toml' 1
+run 0 check $'stray\xff.toml' --json
+says out '"operands":["stray\\xff.toml"]'
+run 0 render $'stray\xff.toml' -f 1 --size 8x8 -o $'stray\xff.png' --json
+says out '"file":"stray\\xff.png"'
+run 2 render $'stray\xff.toml' --size 8x8 -o $'stray\xff_####.png'
+says err '--output: error: names files by bytes that are not UTF-8'
+# What is to be pasted is quoted for the shell.
+scene "it's; a \$scene.toml" 1
+run 2 "it's; a \$scene.toml"
+says err "flatray render 'it'\\''s; a \$scene.toml'"
+
 # What has no name is called by its kind and number.
 cat > unnamed.toml << 'TOML'
 flatray = 1

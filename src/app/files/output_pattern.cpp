@@ -9,6 +9,7 @@
 #include "app/options/option_values.h"
 #include "base/entry_named.h"
 #include "base/left_out.h"
+#include "base/utf8.h"
 
 namespace flatray {
 
@@ -54,7 +55,7 @@ FramePlace find_percent(std::string_view text, std::size_t file_name) {
     if (end == text.size() || text[end] != 'd' || digits.size() > 3) continue;
     if (digits.empty()) return {at, end + 1 - at, 1};
     if (digits.front() != '0' || digits.size() < 2) continue;
-    return {at, end + 1 - at, std::min(static_cast<int>(*parse_whole(digits)), 20)};
+    return {at, end + 1 - at, static_cast<int>(*parse_whole(digits))};
   }
   return {};
 }
@@ -123,15 +124,19 @@ Result<OutputPattern> OutputPattern::parse(std::string text,
   if (const std::string word = unknown_placeholder(text); !word.empty())
     return usage_error(where, fmt::format("unknown {}", word),
                        "known: {scene}; a name with such braces can be given to the file later");
-  const std::size_t file_bytes = std::filesystem::path(text).filename().string().size();
-  if (file_bytes > kLongestFileName)
-    return usage_error(where, fmt::format("the file name has {} bytes", file_bytes),
-                       fmt::format("at most {} in the name", kLongestFileName));
   if (text.size() > kLongestPattern)
     return usage_error(where, fmt::format("the path has {} bytes", text.size()),
                        fmt::format("at most {} with its folders", kLongestPattern));
   FLATRAY_TRY(known, format_of(text, format, where));
-  return OutputPattern(std::move(text), **known);
+  OutputPattern pattern(std::move(text), **known);
+  const std::string name = pattern.path(kScene, 1).filename();
+  if (name.size() > kLongestFileName)
+    return usage_error(where, fmt::format("the file name has {} bytes", name.size()),
+                       fmt::format("at most {} in the name", kLongestFileName));
+  if (pattern.has_frame() && utf8_prefix(name) < name.size())
+    return usage_error(where, "names files by bytes that are not UTF-8, which no record can hold",
+                       "write the name in UTF-8");
+  return pattern;
 }
 
 OutputPattern OutputPattern::standard(bool sequence, const PictureFormat& format) {

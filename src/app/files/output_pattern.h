@@ -25,7 +25,7 @@ class OutputPattern {
  public:
   /// `format` is --format, if given; else the extension decides.
   /// Error   Trouble::usage: empty, a folder, no known extension, extension against `format`, a
-  ///         name too long.
+  ///         name too long; names of frames that are not UTF-8.
   static Result<OutputPattern> parse(std::string text, const std::optional<std::string>& format,
                                      const Place& where);
   /// out/<scene>/frame_####.png for sequences, out/<scene>.png for one picture, out/<scene>.y4m for

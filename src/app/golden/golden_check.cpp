@@ -4,6 +4,7 @@
 
 #include "app/files/outputs.h"
 #include "app/report/report.h"
+#include "base/shown_text.h"
 #include "image/png.h"
 
 namespace flatray {
@@ -61,10 +62,10 @@ std::string golden_report(const GoldenRow& row, const GoldenCheck& check) {
   text += fmt::format("  look:   {}/{{actual,expected{}}}.png\n", row.look(),
                       check.difference ? ",diff_x16" : "");
   const std::string backend = row.exact() ? "" : fmt::format(" --backend {}", row.backend);
-  text += fmt::format("  replay: flatray render {} -f {}{}{} -o {}.png\n", row.scene, row.frame,
-                      check.options, backend, stem);
-  return text +
-         fmt::format("  accept: flatray golden update {}{} --why \"...\"\n", row.name(), backend);
+  text += fmt::format("  replay: flatray render {} -f {}{}{} -o {}\n", shell_word(row.scene),
+                      row.frame, check.options, backend, shell_word(stem + ".png"));
+  return text + fmt::format("  accept: flatray golden update {}{} --why \"...\"\n",
+                            shell_word(row.name()), backend);
 }
 
 Result<void> write_look(const fs::path& root, const GoldenRow& row, const GoldenCheck& check,

@@ -12,6 +12,7 @@
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/parallel.h"
+#include "base/shown_text.h"
 #include "image/compare.h"
 
 namespace flatray::golden_verb {
@@ -61,7 +62,7 @@ struct Options : Arguments {
       return wrong("golden update", "needs one scene", "flatray golden update SCENE --why \"...\"");
     if (request.why.find_first_not_of(" \t") == std::string::npos)
       wrong("--why", "a golden is accepted for a reason",
-            fmt::format("flatray golden update {} --why \"...\"", scene));
+            fmt::format("flatray golden update {} --why \"...\"", shell_word(scene)));
   }
 };
 
@@ -93,7 +94,7 @@ Result<std::vector<GoldenRow>> chosen_rows(const fs::path& root, std::vector<Gol
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), is_of_it);
     if (chosen.size() == before)
       problems.push_back({named_place(*scene), "has no golden",
-                          fmt::format("flatray golden update {} --why \"...\"", name),
+                          fmt::format("flatray golden update {} --why \"...\"", shell_word(name)),
                           Trouble::missing});
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));

@@ -24,6 +24,7 @@ TEST(OutputPattern, HashesArePaddedAndGrow) {
 TEST(OutputPattern, PercentNumbersAreAccepted) {
   EXPECT_EQ(path("f%04d.png", 7), "f0007.png");
   EXPECT_EQ(path("f%d.png", 7), "f7.png");
+  EXPECT_EQ(path("%099d.png", 7), std::string(98, '0') + "7.png");
 }
 
 TEST(OutputPattern, OnlyTheLastRunInTheFileNameIsThePlace) {
@@ -54,7 +55,15 @@ TEST(StiffCases, E7NamesThatAreNoFilesAreRefused) {
   EXPECT_TRUE(refused(""));
   EXPECT_TRUE(refused("out/"));
   EXPECT_TRUE(refused(fmt::format("{:x>300}.png", "")));
+  EXPECT_TRUE(refused(fmt::format("{:x>100}%099d.png", "")));
   EXPECT_TRUE(refused(fmt::format("{:/>5000}x.png", "")));
+}
+
+// A manifest is JSON: it could not name them.
+TEST(OutputPattern, FramesAreNamedInUtf8) {
+  EXPECT_TRUE(refused("b\xff_####.png"));
+  EXPECT_EQ(path("\xff/b\xc3\xbc_#.png", 7), "\xff/b\xc3\xbc_7.png");
+  EXPECT_EQ(path("b\xff.png", 7), "b\xff.png");
 }
 
 TEST(OutputPattern, TheExtensionDecidesTheFormatOrMustAgree) {

@@ -102,6 +102,20 @@ TEST_F(Golden, AnotherSceneFailsAndTheReportSaysAllOfIt) {
   EXPECT_EQ(read_png((look / "diff_x16.png").string())->at(4, 7)[1], 16);
 }
 
+TEST_F(Golden, TheReportsCommandsAreReadByAShellAsTheyAreMeant) {
+  accept(kThird);
+  GoldenRow row = rows()[0];
+  row.scene = "scenes/part/it's; a $dot.toml";
+  const std::string report = golden_report(row, judge(Image(4, 3, 3), Image(3, 4, 4)));
+  EXPECT_NE(report.find(R"(flatray render 'scenes/part/it'\''s; a $dot.toml' -f 3 -o )"
+                        R"('it'\''s; a $dot.png')"
+                        "\n"),
+            std::string::npos)
+      << report;
+  EXPECT_NE(report.find(R"(flatray golden update 'part/it'\''s; a $dot' --why)"), std::string::npos)
+      << report;
+}
+
 TEST_F(Golden, AnEditThatChangesNoPixelPasses) {
   accept(kThird);
   edit("scenes/part/dot.toml", "flatray = 1", "# a comment\nflatray = 1");
