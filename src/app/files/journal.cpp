@@ -144,7 +144,14 @@ Result<Claim> Claim::take(const fs::path& folder, const std::string& what,
       }
       return try_lock(one, LOCK_SH);
     });
-    if (!file) return fail(std::move(file));
+    if (!file) {
+      std::error_code ignored;  // of a hidden file that cannot be made, what it is for is told
+      const bool is_there = fs::exists(fs::symlink_status(path, ignored));
+      for (Diagnostic& one : file.error())
+        if (!is_there && one.where.source->name() == path.string())
+          one.where = named_place((folder / what).string());
+      return fail(std::move(file));
+    }
     if (!planted) {
       FLATRAY_TRY(theirs, read_all(*file, path));
       if (*theirs == setting) return Claim(path, std::move(*file));
