@@ -40,6 +40,8 @@ struct PictureFormat {
   /// The bytes that frame `index`, from 0, adds to the file. All of them in order are the file.
   Bytes (*part)(std::span<const std::byte> picture, std::size_t index,
                 const FrameSequence& sequence) = nullptr;
+  /// Rates that the file holds, and players keep: of others the nearest.
+  double least_fps = 1e-6, most_fps = 1e6;
   /// Where the program ffmpeg makes the file of these bytes, which are Y4M then: its arguments between
   /// input and output.
   std::span<const char* const> by_ffmpeg = {};

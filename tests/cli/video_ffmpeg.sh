@@ -35,6 +35,16 @@ for format in mp4 webm; do
   [[ $(tell color_space,color_range box.$format) == tv,bt709 ]] || fail "$format: colours are $(tell color_space,color_range box.$format)"
   [[ $(tell avg_frame_rate box.$format) == 24/1 ]] || fail "$format: rate $(tell avg_frame_rate box.$format)"
 done
+# Delays of a GIF are hundredths of a second, of 2 at least: of other rates it is told.
+for fps in 50 24 0.01; do
+  run 0 render box.toml -f 1..2 -D fps=$fps -o box.gif
+  grep -q warning err.txt && fail "a GIF of $fps frames a second is warned of"
+done
+run 0 render box.toml -f 1..2 -D fps=60 -o box.gif
+says err "--output: warning: a GIF keeps from 0.00153 to 50 frames a second, not the 60 of 'box'"
+says err "say -D fps=50"
+run 0 render box.toml -f 1..2 -D fps=0.001 -o slow.gif
+says err "not the 0.001 of 'box'"
 # The same command again writes the same file, over the one before.
 cp box.mp4 before.mp4
 run 0 render box.toml -o box.mp4 -j 1 --quiet

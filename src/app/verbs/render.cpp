@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/files/scene_input.h"
 #include "app/frames/profile.h"
 #include "app/frames/render_run.h"
@@ -126,8 +128,19 @@ Result<void> complete(const Options& options, const std::shared_ptr<const Render
         options);
   else
     job.renderer = renderer;
+  const PictureFormat& format = job.output.format();
+  if (const double fps = job.scene.fps;
+      format.is_video() && (fps < format.least_fps || fps > format.most_fps))
+    report_warnings(
+        {{options.where(options.has("output") ? "output" : "format"),
+          fmt::format("{} keeps from {:.3g} to {:.3g} frames a second, not the {} of '{}'",
+                      format.kind, format.least_fps, format.most_fps, number_text(fps),
+                      job.scene.name),
+          fmt::format("it plays at another speed; say -D fps={:.3g}, or another format",
+                      std::clamp(fps, format.least_fps, format.most_fps))}},
+        options);
   job.view = options.view;
-  if (job.view && job.output.format().of_picture == nullptr)
+  if (job.view && format.of_picture == nullptr)
     return usage_error(options.where("view"), "has no light for an HDR picture",
                        "write a PNG file");
   return wish_light(options, options.light, job).and_then([&] {

@@ -8,6 +8,7 @@ namespace {
 
 using Bytes = PictureFormat::Bytes;
 
+constexpr std::uint32_t kMost = 65535;  // of 16 bits
 constexpr std::size_t kHeadBytes = 33;  // signature and header of a PNG
 
 void put_16(Bytes& out, std::uint32_t number) {
@@ -18,7 +19,6 @@ void put_16(Bytes& out, std::uint32_t number) {
 // The rows as the picture's PNG packs them, under numbers that count the chunks. Who knows no animation
 // sees the first frame.
 Bytes part(std::span<const std::byte> picture, std::size_t index, const FrameSequence& sequence) {
-  constexpr std::uint32_t kMost = 65535;  // of 16 bits
   const auto png = read_png_chunks(picture, "frame", ~std::uint64_t{0});
   FLATRAY_CHECK(png.has_value());
   const auto number = static_cast<std::uint32_t>(index == 0 ? 0 : 2 * index - 1);
@@ -55,6 +55,8 @@ extern const PictureFormat entry = {
     .beginning = kPngSignature,
     .of_picture = [](const Image& image, PngEncoder& encoder,
                      const RowsChanged& changed) { return encoder.encode(image, changed); },
-    .part = &part};
+    .part = &part,
+    .least_fps = 1.0 / kMost,
+    .most_fps = kMost};
 
 }  // namespace flatray::apng_format

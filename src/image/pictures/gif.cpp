@@ -3,6 +3,9 @@
 namespace flatray::gif_format {
 namespace {
 
+// Delays are whole hundredths of a second, of 16 bits. Players show shorter ones for longer, most for 10.
+constexpr double kLeastDelay = 2;
+
 // A palette a frame: colours of one frame, and no memory of all of them.
 constexpr const char* kPalettes =
     "scale=in_color_matrix=bt709:in_range=limited:out_range=full,format=rgb24,split[a][b];"
@@ -17,6 +20,8 @@ extern const PictureFormat entry = {.name = "gif",
                                     .beginning = "GIF8",
                                     .of_picture = &y4m_picture,
                                     .part = &y4m_part,
+                                    .least_fps = 100.0 / 65535,
+                                    .most_fps = 100.0 / kLeastDelay,
                                     .by_ffmpeg = kArguments};
 
 }  // namespace flatray::gif_format
