@@ -41,7 +41,7 @@ struct PictureFormat {
   Bytes (*part)(std::span<const std::byte> picture, std::size_t index,
                 const FrameSequence& sequence) = nullptr;
   /// Rates that the file holds, and players keep: of others the nearest.
-  double least_fps = 1e-6, most_fps = 1e6;
+  double least_fps = 1 / 1e6, most_fps = 1e6;
   /// Where the program ffmpeg makes the file of these bytes, which are Y4M then: its arguments between
   /// input and output.
   std::span<const char* const> by_ffmpeg = {};
