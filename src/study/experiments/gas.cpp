@@ -119,8 +119,8 @@ std::string fingerprint(const Simulation& done) {
 
 // Of the whole run, its error from stretches of as many events each.
 Measure rate(std::span<const CollisionEvent> events) {
-  const std::size_t count =
-      events.size() < kStretches * kLeastInStretch ? std::size_t{1} : kStretches;
+  constexpr std::size_t kLeastEvents = 30;  // of a stretch, for the next one to depend little on it
+  const std::size_t count = events.size() < kStretches * kLeastEvents ? std::size_t{1} : kStretches;
   std::vector<Stretch> stretches;
   std::size_t begin = 0;
   double from = 0;

@@ -115,9 +115,10 @@ Section::Section(BoundaryOrbits orbits) : watched(std::move(orbits)) {
 
 void Section::add(std::size_t orbit, std::span<const double> found) {
   closed += found[1] > 0 ? 1 : 0;
-  // Too short for stretches, it is one.
+  // Too short for stretches, it is one: orbits stay for some hundred bounces near regular ones.
+  constexpr std::size_t kLeastBounces = 300;
   const std::size_t count = parts();
-  const bool whole = found[0] < static_cast<double>(count * kLeastInStretch);
+  const bool whole = found[0] < static_cast<double>(count * kLeastBounces);
   Stretch sum{0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     sum = {sum.x + found[2 + 2 * i], sum.y + found[3 + 2 * i]};

@@ -11,11 +11,10 @@ struct Stretch {
 
 /// Stretches that a run is cut into where it is to tell its own error.
 inline constexpr std::size_t kStretches = 32;
-/// Events of a run that a stretch must have for the next one to depend little on it.
-inline constexpr std::size_t kLeastInStretch = 30;
 
 /// A mean over runs of which what follows each other is not independent, by batch means: stretches
-/// so long that they know little of each other.
+/// so long that they know little of each other. Neighbours are compared in 32 of them, the error is
+/// that of fours of them, which know less of each other still.
 ///
 /// Needs   stretches in the order of their runs.
 /// Gives   no error, and a remark why, where there are fewer than kStretches, or where neighbours
