@@ -36,7 +36,7 @@ unsigned noise_frame(const Scene& scene, const FrameState& state) {
 }
 
 // Where less than this part of the walls is shown, pixels reach lamps sooner than lamps pixels
-// (docs/adr/0023-light-from-lamps.md).
+// (docs/adr/0023-light.md).
 constexpr double kSmallPart = 2500;
 
 std::vector<std::vector<std::int64_t>> sums_of_scrambles(const TracedLight& light) {
