@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -58,6 +59,11 @@ bool read_runs(Bytes& bytes, std::vector<Quad>& row, std::size_t channel) {
   return !bytes.ended;
 }
 
+// Bytes that no row of so many pixels is told in less than.
+std::size_t least_of_row(std::size_t width) {
+  return width >= 8 && width < 32768 ? 4 + 8 * ((width + 126) / 127) : 4 * width;
+}
+
 bool read_row(Bytes& bytes, std::vector<Quad>& row) {
   Quad first{};
   for (std::uint8_t& value : first) value = bytes.next();
@@ -69,9 +75,10 @@ bool read_row(Bytes& bytes, std::vector<Quad>& row) {
     return true;
   }
   row[0] = first;
-  for (std::size_t x = 1; x < row.size(); ++x)
+  for (std::size_t x = 1; x < row.size() && !bytes.ended; ++x)
     for (std::uint8_t& value : row[x]) value = bytes.next();
-  return !bytes.ended;
+  const auto is_run = [](const Quad& p) { return p[0] == 1 && p[1] == 1 && p[2] == 1; };
+  return !bytes.ended && std::ranges::none_of(row, is_run);  // of the oldest files
 }
 
 }  // namespace
@@ -83,23 +90,38 @@ Result<LinearImage> decode_hdr(std::span<const std::byte> file, const std::strin
   };
   Bytes bytes{file};
   bool rgbe = false;
-  for (std::string line = bytes.line(); !line.empty(); line = bytes.line())
+  double exposure = 1;  // by which light was multiplied
+  for (std::string line = bytes.line(); !line.empty(); line = bytes.line()) {
+    constexpr std::string_view kExposure = "EXPOSURE=";
     rgbe = rgbe || line == "FORMAT=32-bit_rle_rgbe";
+    if (!line.starts_with(kExposure)) continue;
+    const std::string text =
+        line.substr(std::min(line.find_first_not_of(' ', kExposure.size()), line.size()));
+    exposure *= parse_number(text).value_or(0);
+    if (!(exposure > 0 && std::isfinite(exposure)))
+      return wrong("HDR header has the exposure '" + text + "'", "write a number above 0");
+  }
   std::uint64_t width = 0, height = 0;
   if (!rgbe || !read_size(bytes.line(), width, height))
     return wrong("HDR header is not one of RGBE rows from the top", "write it by flatray render");
   if (width * height > max_pixels)
     return wrong(fmt::format("picture of {} x {} pixels is too large", width, height), "");
   LinearImage image{static_cast<int>(width), static_cast<int>(height), {}};
-  std::vector<Quad> row(width);
+  std::vector<Quad> row;
   for (std::uint64_t y = 0; y < height; ++y) {
-    if (!read_row(bytes, row))
+    const bool has_room = bytes.rest.size() >= least_of_row(width);
+    if (has_room) row.resize(width);
+    if (!has_room || !read_row(bytes, row))
       return wrong("HDR ends in the middle or is damaged", "write or copy it again");
     for (const Quad& pixel : row)
       for (std::size_t c = 0; c < 3; ++c)
         image.pixels.push_back(
-            pixel[3] == 0 ? 0 : std::ldexp(static_cast<float>(pixel[c]), pixel[3] - 136));
+            pixel[3] == 0 ? 0
+                          : static_cast<float>(std::ldexp(pixel[c], pixel[3] - 136) / exposure));
   }
+  if (!bytes.rest.empty())
+    return wrong(fmt::format("HDR goes on after its last row, by {} bytes", bytes.rest.size()),
+                 "write or copy it again");
   return image;
 }
 
