@@ -48,8 +48,8 @@ Result<LinearImage> decode_pfm(std::span<const std::byte> bytes, const std::stri
   text.remove_prefix(std::min(kPfmSignature.size(), text.size()));
   const int width = take_number(text, ' '), height = take_number(text, '\n');
   if (width < 1 || height < 1 || !as_text(bytes).starts_with(header(width, height)))
-    return fail(named_place(name), "PFM header is not one of colour with the lowest byte first",
-                "write it by flatray render");
+    return fail(named_place(name), "PFM header is not 'PF', width and height, '-1.0'",
+                "colour alone is read, with the lowest byte first; write it by flatray render");
   const std::size_t at = header(width, height).size();
   const std::size_t row = 3 * sizeof(float) * static_cast<std::size_t>(width);
   if ((bytes.size() - at) % row != 0 ||

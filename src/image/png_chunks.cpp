@@ -165,6 +165,9 @@ Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::s
       png->deflated.insert(png->deflated.end(), packed, packed + chunk->data.size());
     } else if (type == "PLTE") {
       png->palette_at = reader.data_at(), png->palette_size = chunk->data.size();
+      if (png->palette_size % 3 != 0)
+        return reader.wrong("PNG palette ends within a colour",
+                            "it is not a PNG any program writes");
     } else if (type == "tRNS") {
       png->alpha = true;
     } else if (type == "acTL" && chunk->data.size() == 8) {

@@ -54,7 +54,10 @@ std::string svg_of(const Scene& scene, const FrameState& state,
     box.add(report.ray.ray.origin);
     if (std::isfinite(report.within.high)) box.add(at(report.ray.ray, report.within.high));
   }
-  const Vec2 margin = Vec2::Constant(kMargin * std::max(box.size().maxCoeff(), 1e-300));
+  const double size = box.size().maxCoeff(),
+               far = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+  // Wide enough for doubles to tell its sides apart.
+  const Vec2 margin = Vec2::Constant(std::max({kMargin * size, far * 0x1p-40, size > 0 ? 0 : 0.5}));
   plot.window = Bounds{box.low - margin, box.high + margin};
   plot.equal = true;
   for (const HitReport& report : reports) {

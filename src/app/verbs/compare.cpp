@@ -149,14 +149,22 @@ Result<Outcome> measure(const Image& actual, const Image& expected, const Metric
   return outcome;
 }
 
-Result<Outcome> measure(const Pair& pair, const Metric* metric, const std::optional<fs::path>& diff,
+// Where the difference of a pair is written: in a folder a PNG whose name no other pair has.
+std::optional<fs::path> diff_of(const Pair& pair, const std::vector<Pair>& all,
+                                const std::optional<fs::path>& diff) {
+  if (!diff || pair.name.empty()) return diff;
+  std::string name = pair.name;
+  while (fs::path(name).extension() != ".png" ||
+         (name != pair.name && std::ranges::binary_search(all, name, {}, &Pair::name)))
+    name += ".png";
+  return *diff / name;
+}
+
+Result<Outcome> measure(const Pair& pair, const Metric* metric, const std::optional<fs::path>& path,
                         const Outputs& outputs) {
   const bool named = pair.name.empty();
   FLATRAY_TRY(a, read_picture(pair.actual.string(), named));
   FLATRAY_TRY(b, read_picture(pair.expected.string(), named));
-  std::optional<fs::path> path = diff;
-  if (diff && !named) path = *diff / pair.name;
-  if (path && !named && path->extension() != ".png") *path += ".png";
   const bool of_light = a->light && b->light;
   Result<Outcome> outcome =
       of_light ? measure(*a->light, *b->light, metric, &Metric::of_light, path, outputs)
@@ -230,7 +238,7 @@ Result<VerbOutput> run(const Options& options) {
   for (const fs::path& file : files) outputs.add_input(file);
   std::vector<Result<Outcome>> outcomes(all.size());
   parallel_for(outcomes.size(), options.threads, [&](std::size_t i) {
-    outcomes[i] = measure(all[i], options.metric, options.diff, outputs);
+    outcomes[i] = measure(all[i], options.metric, diff_of(all[i], all, options.diff), outputs);
   });
   return report(all, std::move(found->problems), outcomes, options.metric);
 }

@@ -198,7 +198,7 @@ extern const Verb entry = {
     "  flatray render lamps.toml --error 0.01 --error-image error.pfm -o lit.png\n"
     "  flatray render lamps.toml --rays 100000000 -o lit.film --resume\n"
     "  flatray render scene.toml -f 1..240 -o video.mp4 -j 4\n"
-    "  flatray render scene.toml -o - --format y4m | ffmpeg -i - video.mkv\n",
+    "  flatray render scene.toml -o - --format y4m | ffmpeg -colorspace bt709 -i - video.mkv\n",
     "nothing rendered",
     nullptr,
     "frames written are whole, and the same command with --resume goes on"};

@@ -9,7 +9,7 @@ constexpr double kLeastDelay = 2;
 // A palette a frame: colours of one frame, and no memory of all of them.
 constexpr const char* kPalettes =
     "scale=in_color_matrix=bt709:in_range=limited:out_range=full,format=rgb24,split[a][b];"
-    "[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1";
+    "[a]palettegen=stats_mode=single:reserve_transparent=0[p];[b][p]paletteuse=new=1";
 constexpr const char* kArguments[] = {"-vf", kPalettes, "-loop", "0", "-f", "gif"};
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/shown_text.h"
 #include "image/png.h"
 
 namespace flatray {
@@ -165,8 +166,11 @@ std::string svg_text(const std::string& text) {
   };
   static constexpr Special kSpecial[] = {
       {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-  std::string safe;
-  for (const char c : text) {
+  std::string safe, shown = with_stray_bytes_shown(text);
+  for (const char* not_in_xml : {"\xef\xbf\xbe", "\xef\xbf\xbf"})  // U+FFFE, U+FFFF
+    for (std::size_t at; (at = shown.find(not_in_xml)) != std::string::npos;)
+      shown.replace(at, 3, "?");
+  for (const char c : shown) {
     const auto special = std::ranges::find(kSpecial, c, &Special::letter);
     if (special != std::end(kSpecial))
       safe += special->reference;

@@ -57,7 +57,7 @@ class PlotDrawing {
     labels.draw(out_);
     if (plot_.bar) bar(*plot_.bar);
     for (const auto& [colour, words] : plot_.kinds) {
-      if (is_legend_full()) break;
+      if (is_legend_full()) continue;
       const Vec2 at = next_name(words);
       out_.marks.push_back(
           Drawing::Path{box_of(at - Vec2(20, 6), at + Vec2(-6, 6)), {"axis", colour}, true});
@@ -74,7 +74,12 @@ class PlotDrawing {
   std::ptrdiff_t count_shown(const Plot::Series& series) const {
     return std::ranges::count_if(series.points, [&](const auto& point) { return shown(point); });
   }
-  bool is_legend_full() const { return name_at_.y() > legend_end_; }
+  // Counts what it then leaves out.
+  bool is_legend_full() {
+    const bool full = name_at_.y() > legend_end_;
+    if (full) ++unnamed_;
+    return full;
+  }
   bool shown(const Plot::Point& point) const {
     return std::isfinite(point.x) && std::isfinite(point.y) && (!plot_.log_y || point.y > 0) &&
            (!plot_.log_x || point.x > 0);
@@ -332,6 +337,7 @@ class PlotDrawing {
   }
 
   void below() {
+    if (unnamed_ > 0) next_name(fmt::format("and {} more", unnamed_));
     const bool has_names = name_at_.x() > kRight;
     const double y = has_names ? name_at_.y() + 1.2 * kLine : name_at_.y();
     const Vec2 end = write({{kRight, y}, ""}, lines_of(plot_.caption, out_.size.x() - 2 * kRight));
@@ -347,6 +353,7 @@ class PlotDrawing {
   Vec2 low_{0, 0}, high_{0, 0};  // upper left and lower right corner of the axes
   Vec2 name_at_{0, 0};           // of the next entry of the legend
   double legend_end_ = 0;
+  std::size_t unnamed_ = 0;  // that it has no room for
   Drawing out_;
 };
 

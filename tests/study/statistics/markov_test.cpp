@@ -151,6 +151,8 @@ TEST(Markov, AnEndTooFarAwayIsReportedAndNotWalked) {
   EXPECT_FALSE(result.holds);
   EXPECT_EQ(starts(result)[0]["exact"], "100000000");
   EXPECT_EQ(starts(result)[0]["agrees"], "too many to observe");
+  EXPECT_FALSE(has(result.summary, "DISAGREES"));
+  EXPECT_TRUE(has(result.summary, "; 1 start not observed, as the mean is beyond"));
 }
 
 TEST(Markov, AWalkIsGivenUpAtItsLimit) {
