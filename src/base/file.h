@@ -44,6 +44,7 @@ class NewFile {
   Result<void> add(std::span<const std::byte> bytes) const;
   Result<void> flush() const;
   const Descriptor& descriptor() const { return file_; }
+  const std::filesystem::path& path() const { return path_; }
   /// One that is whole.
   static Result<NewFile> write(const std::filesystem::path& path, std::span<const std::byte> bytes);
   NewFile(NewFile&&) noexcept;

@@ -153,7 +153,9 @@ class Walker {
     return {{cross(to, along) / across, part <= small_ || part >= 1 - small_}};
   }
 
+  // A point is touched at most, and what is touched is passed by.
   std::vector<Met> times(const Arc& arc) const {
+    if (sgn(cross(place(arc.curve.u), place(arc.curve.v))) == 0) return {};
     const LongPoint from = in_circle(arc.curve, point_ - place(arc.curve.centre));
     const LongPoint way = in_circle(arc.curve, way_);
     const Long a = dot(way, way), b = dot(way, from);

@@ -32,16 +32,6 @@ std::array<fs::path, 2> lists_of(const RenderJob& job) {
   return {job.manifest(), timings_path(job.folder(), job.shard)};
 }
 
-// The lines of a manifest without records of `files`, and without what is no record.
-std::string without_files(const std::string& text, const std::set<std::string>& files) {
-  std::string lines;
-  each_line(text, [&](std::string_view line) {
-    const std::optional<FrameRecord> record = parse_manifest_line(line);
-    if (record && !files.contains(record->file)) lines += std::string(line) + "\n";
-  });
-  return lines;
-}
-
 // Takes the records of frames to be made out of all manifests, and those that --resume keeps, also from
 // others, into that of the job.
 Result<void> drop_records(const Work& work, const Outputs& outputs) {
@@ -50,6 +40,11 @@ Result<void> drop_records(const Work& work, const Outputs& outputs) {
     if (auto free = outputs.make_way(list, kFirstName); !free) return free;
   std::set<std::string> files;
   for (const unsigned frame : work.frames) files.insert(job.path(frame).filename());
+  const std::string setting = job.fingerprint();
+  const auto goes = [&](const std::string& line, const FrameRecord& record) {
+    return files.contains(record.file) &&
+           (record.scene != setting || work.planned_on.contains(line));
+  };
   std::vector<fs::path> manifests = manifests_in(job.folder());
   if (std::ranges::find(manifests, job.manifest()) == manifests.end())
     manifests.push_back(job.manifest());
@@ -57,9 +52,16 @@ Result<void> drop_records(const Work& work, const Outputs& outputs) {
     auto merged = Journal(manifest).merge([&](const std::string& text) -> Result<std::string> {
       const Records before = records_of(text);
       const bool own = manifest == job.manifest();
-      const bool goes = std::ranges::any_of(
-          files, [&](const std::string& file) { return before.contains(file); });
-      std::string changed = own || goes ? without_files(text, files) : text;
+      bool any_goes = false;
+      std::string left;  // without what is no record
+      each_line(text, [&](std::string_view line) {
+        const std::optional<FrameRecord> record = parse_manifest_line(line);
+        if (!record) return;
+        const bool gone = goes(std::string(line), *record);
+        any_goes = any_goes || gone;
+        if (!gone) left += std::string(line) + "\n";
+      });
+      std::string changed = own || any_goes ? left : text;
       for (const auto& [file, record] : work.kept) {
         const auto there = before.find(file);
         if (own && (there == before.end() || there->second != record))
@@ -106,6 +108,8 @@ class FrameMaker {
     made.drawn = encoder.counts();
     made.encoded = encoder.encoded();
     if (made.written.empty() || !job_.output.has_frame()) return;
+    if (const auto& image = job_.light.error_image)
+      flush_folder(image->path(job_.name, 1).parent_path());
     flush_folder(job_.folder());
     if (auto flushed = flush_file(manifest_.path()); !flushed && made.problems.empty())
       made.problems = std::move(flushed).error();
@@ -151,7 +155,7 @@ class FrameMaker {
     return begun_;
   }
 
-  // The picture of the error takes its name first: where a picture is there, it is, too. A single
+  // The picture of the error takes its name first: wherever a picture is there, that of its error is. A single
   // picture with a name of its own needs no list beside it.
   Result<void> write(const Encoded& made, const FrameRecord& record) {
     std::vector<NewFile> files;
@@ -167,14 +171,16 @@ class FrameMaker {
     const auto take_names = [&]() -> Result<void> {
       if (hold_ != nullptr)
         if (auto held = hold_->claim.expect_held(); !held) return held;
-      for (NewFile& file : files)
+      for (NewFile& file : files) {
         if (auto named = file.take_name(); !named) return named;
+        if (!job_.output.has_frame()) flush_folder(file.path().parent_path());
+      }
       return {};
     };
     if (auto begun = begin(); !begun) return begun;
     if (job_.output.has_frame())
       return manifest_.add(manifest_line(record) + "\n", take_names, Journal::Flush::later);
-    return take_names().map([&] { flush_folder(job_.folder()); });
+    return take_names();
   }
 
   const Work& work_;
@@ -201,7 +207,7 @@ bool is_kept(const RenderJob& job, const FrameRecord& record) {
 }
 
 // The lines of all manifests in a folder. `replaceable` may be unreadable: --force replaces it.
-Result<std::string> text_of_manifests(const fs::path& folder, const fs::path& replaceable = {}) {
+Result<std::string> text_of_manifests(const fs::path& folder, const fs::path& replaceable) {
   std::string all;
   for (const fs::path& manifest : manifests_in(folder)) {
     auto text = Journal(manifest).read();
@@ -270,11 +276,14 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
   std::vector<FrameRecord> candidates;
   const std::string own = job.fingerprint();
   // Of films it is their frames that go on: each has the rays that are missing added.
-  if (resume && job.output.has_frame() && job.output.format().of_film == nullptr) {
-    FLATRAY_TRY(text, text_of_manifests(job.folder()));
+  const bool keeps = resume && job.output.format().of_film == nullptr;
+  if (job.output.has_frame()) {
+    FLATRAY_TRY(text, text_of_manifests(job.folder(), keeps ? fs::path() : job.manifest()));
     each_line(*text, [&](std::string_view line) {
       const auto record = parse_manifest_line(line);
-      if (record && job.makes(*record) && record->scene == own) candidates.push_back(*record);
+      if (record) work.planned_on.emplace(line);
+      if (keeps && record && job.makes(*record) && record->scene == own)
+        candidates.push_back(*record);
     });
   }
   std::vector<char> whole(candidates.size());
@@ -290,10 +299,6 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
 Result<void> expect_place(const Work& work, const Outputs& outputs, Diagnostics& warnings) {
   const RenderJob& job = *work.job;
   if (job.output.is_stdout() || work.frames.empty()) return {};
-  if (const auto& image = job.light.error_image)
-    for (const unsigned frame : work.frames)
-      if (auto free = outputs.allow(image->path(job.name, frame), image->format().beginning); !free)
-        return free;
   Records recorded;
   if (job.output.has_frame()) {
     for (const fs::path& list : lists_of(job))
@@ -301,6 +306,14 @@ Result<void> expect_place(const Work& work, const Outputs& outputs, Diagnostics&
     FLATRAY_TRY(lines, text_of_manifests(job.folder(), job.manifest()));
     recorded = records_of(*lines);
   }
+  if (const auto& image = job.light.error_image)
+    for (const unsigned frame : work.frames) {
+      const auto record = recorded.find(job.path(frame).filename());
+      const bool ours = record != recorded.end() && !record->second.error_image.empty();
+      if (auto free = outputs.allow(image->path(job.name, frame), image->format().beginning, ours);
+          !free)
+        return free;
+    }
   for (const unsigned frame : work.frames) {
     const fs::path path = job.path(frame);
     const bool ours = recorded.erase(path.filename()) > 0;

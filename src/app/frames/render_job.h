@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,8 @@ struct Work {
   const RenderJob* job;
   Records kept;                  ///< with --resume: of frames that are whole, from this very job
   std::vector<unsigned> frames;  ///< still to make
+  /// Lines of manifests as it was planned. Those that runs of the same setting add since are true.
+  std::set<std::string> planned_on{};
 };
 /// Reads records and pictures, and writes nothing.
 Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads);

@@ -165,7 +165,7 @@ Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderReque
 
 VerbOutput describe(const WorkList& list) {
   VerbOutput output;
-  for (const auto& [job, kept, frames] : list.works) {
+  for (const auto& [job, kept, frames, lines] : list.works) {
     const PixelBox size = job->picture();
     const std::uint64_t bytes = picture_bytes_at_once(*job, frames.size(), list.threads);
     std::string text = fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",

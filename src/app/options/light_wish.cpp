@@ -2,6 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
 #include "app/frames/render_job.h"
 #include "app/options/option_values.h"
 #include "base/number_text.h"
@@ -62,8 +66,12 @@ Result<void> fits_error_image(const Arguments& arguments, const RenderJob& job) 
   if (image.has_frame() != job.output.has_frame() || image.has_scene() != job.output.has_scene())
     return wrong("does not have the places for numbers and names that -o has",
                  "write both alike, as out/####.png and out/error_####.pfm");
-  if (image.path(job.name, 1) == job.path(1))
-    return wrong("is where the picture goes", "name another file");
+  std::set<std::filesystem::path> pictures;
+  for (const unsigned frame : job.frames) pictures.insert(job.path(frame));
+  if (std::ranges::any_of(job.frames, [&](unsigned frame) {
+        return pictures.contains(image.path(job.name, frame));
+      }))
+    return wrong("is where a picture goes", "name another file");
   return {};
 }
 
