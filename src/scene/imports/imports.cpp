@@ -24,7 +24,7 @@ std::string Imports::path_from_scene(const std::string& file, const Place& where
 }
 
 Result<SourcePtr> Imports::open(const std::string& file, const Place& where) {
-  if (const auto known = scenes_.find(file); known != scenes_.end()) return known->second.source;
+  if (where && where.source->name() == file && scenes_.contains(file)) return where.source;
   return read(file, path_from_scene(file, where), where, false);
 }
 

@@ -17,7 +17,7 @@ class Imports {
   Imports(SourcePtr scene, std::size_t max_bytes, unsigned threads,
           std::filesystem::path root = {});
 
-  /// A file by its path from the folder of the file `where` stands in; a scene by its own name.
+  /// A file by its path from the folder of the file `where` stands in; that file itself by its name.
   /// Error   the file's own, at `where`.
   Result<SourcePtr> open(const std::string& file, const Place& where);
   /// The same for a scene that is included there: paths in it are relative to its own folder.

@@ -168,6 +168,23 @@ TEST_F(Includes, RefusalsSayWhatToWrite) {
       std::string::npos);
 }
 
+// From the folder of main.toml, whose names are those that other files may say of their own.
+TEST_F(Includes, AnOutlineLiesBesideTheFileThatNamesIt) {
+  fs::create_directory(folder_ / "sub");
+  write("x.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n");
+  write("sub/x.obj", "v 0 0\nv 9 0\nv 0 9\nf 1 2 3\n");
+  scene("main.toml", "include = [\"x.obj\", \"sub/y.toml\"]\n");
+  scene("sub/y.toml", "[[entity]]\nname = \"y\"\nshape = { import = { file = \"x.obj\" } }\n");
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  const Result<LoadedScene> made = load_scene("main.toml");
+  fs::current_path(before);
+  ASSERT_TRUE(made) << format(made.error());
+  ASSERT_EQ(made->scene.shapes.size(), 2u);
+  EXPECT_EQ(made->scene.shapes[0].vertices[1], Vec2(1, 0));
+  EXPECT_EQ(made->scene.shapes[1].vertices[1], Vec2(9, 0));
+}
+
 TEST_F(Includes, E6ACircleOfFilesIsRefused) {
   scene("main.toml", "include = [\"a.toml\"]\n");
   scene("a.toml", "include = [\"b.toml\"]\n");
