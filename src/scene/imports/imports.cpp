@@ -61,7 +61,7 @@ Result<SourcePtr> Imports::read(const std::string& file, const std::string& path
                 cause.hint.empty() ? fmt::format("looked for {}", full.string()) : cause.hint,
                 cause.trouble);
   }
-  if (included && text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
+  if (text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
   bytes_left_ -= text->size();
   auto source = std::make_shared<const SourceText>(full.string(), std::move(*text),
                                                    std::make_shared<const Place>(where));

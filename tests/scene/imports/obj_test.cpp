@@ -167,6 +167,15 @@ TEST_F(ImportedFile, IsRelativeToTheSceneScaledAndCentred) {
   EXPECT_NE(load_scene_text((folder_ / "s.toml").string(), text)->scene.hash, scene->scene.hash);
 }
 
+TEST_F(ImportedFile, MayBeginWithAByteOrderMark) {
+  ASSERT_TRUE(write_file(folder_ / "part.obj", "\xef\xbb\xbfv 1 1\nv 3 1\nv 3 5\nf 1 2 3\n"));
+  const auto scene = load_scene_text((folder_ / "s.toml").string(),
+                                     with_shape("import = { file = \"part.obj\" }"));
+  ASSERT_TRUE(scene) << format(scene.error());
+  EXPECT_EQ(scene->scene.shapes[0].vertices, (std::vector<Vec2>{{1, 1}, {3, 1}, {3, 5}}));
+  EXPECT_TRUE(scene->warnings.empty());
+}
+
 TEST(Import, MistakesAreTold) {
   EXPECT_NE(refusal(with_shape("import = { file = \"none.obj\" }"))
                 .find("4:29: error: file 'none.obj': cannot read: No such file"),
