@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/number_text.h"
+#include "scene/reading/format.h"
 
 namespace flatray {
 namespace {
@@ -35,7 +36,7 @@ class ChunkReader {
   ChunkReader(SourcePtr source, std::size_t begin, std::size_t end, bool with_offsets)
       : source_(std::move(source)),
         text_(source_->text().substr(0, end)),
-        base_(source_->name().ends_with(".obj2d") ? 0 : 1),
+        base_(extension_of(source_->name()) == "obj2d" ? 0 : 1),
         at_(begin),
         with_offsets_(with_offsets) {}
 

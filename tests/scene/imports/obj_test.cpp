@@ -109,10 +109,12 @@ TEST(Obj, OtherRecordsAreNamedOnce) {
 }
 
 TEST(Obj, TwoDimensionalFilesCountFromZero) {
-  const auto scene = load_obj("v 0 0\nv 1 0\nv 0 1\nf 0 1 2\n", "a.obj2d");
-  ASSERT_TRUE(scene) << format(scene.error());
-  EXPECT_EQ(scene->scene.shapes[0].vertices[0], Vec2(0, 0));
-  EXPECT_FALSE(load_obj("v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", "a.obj2d"));
+  for (const char* name : {"a.obj2d", "A.OBJ2D", "dir.x/a.Obj2d"}) {
+    const auto scene = load_obj("v 0 0\nv 1 0\nv 0 1\nf 0 1 2\n", name);
+    ASSERT_TRUE(scene) << format(scene.error());
+    EXPECT_EQ(scene->scene.shapes[0].vertices[0], Vec2(0, 0));
+    EXPECT_FALSE(load_obj("v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", name));
+  }
 }
 
 TEST(Obj, MistakesHaveALineAndAColumn) {
