@@ -84,8 +84,9 @@ class ChunkReader {
   }
   // To the first byte of the next line; comments are not continued.
   void skip_line() {
-    const bool comment = at_ < text_.size() && text_[at_] == '#';
+    bool comment = false;
     while (at_ < text_.size() && text_[at_] != '\n') {
+      comment = comment || text_[at_] == '#';
       const std::size_t line_end = comment ? 0 : continued();
       at_ = line_end == 0 ? at_ + 1 : line_end;
     }

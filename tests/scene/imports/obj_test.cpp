@@ -108,6 +108,14 @@ TEST(Obj, OtherRecordsAreNamedOnce) {
   EXPECT_EQ(scene->warnings[0].message, "mtllib, vt, vn, usemtl ignored");
 }
 
+TEST(Obj, RecordsPassedOverAreContinuedAndTheirCommentsAreNot) {
+  for (const char* record : {"o tri # a comment \\\n", "o # \\\r\n", "o tri \\\nv 9 9 # \\\n",
+                             "# one \\\no tri # two \\\n", "usemtl a#b\\\n", "o\\\n#\\\n"})
+    EXPECT_EQ(outline(record + std::string(kSquare) + "f 1 2 3\n").vertices,
+              (std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}}))
+        << record;
+}
+
 TEST(Obj, TwoDimensionalFilesCountFromZero) {
   for (const char* name : {"a.obj2d", "A.OBJ2D", "dir.x/a.Obj2d"}) {
     const auto scene = load_obj("v 0 0\nv 1 0\nv 0 1\nf 0 1 2\n", name);
