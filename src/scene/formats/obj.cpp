@@ -10,11 +10,19 @@
 namespace flatray::obj_format {
 namespace {
 
+// Of the corners of faces and lines: other vertices are not seen.
+Vec2 centre_of(const ObjText& obj) {
+  Bounds bounds;
+  for (const auto chains : {&obj.faces, &obj.lines})
+    for (const std::uint32_t corner : chains->corners) bounds.add(obj.vertices[corner]);
+  return bounds.empty() ? Vec2(0, 0) : bounds.centre();
+}
+
 // Where the vertices go before any decision is made about them, so that decisions are about the
 // final doubles. Gives the number of the first that lies too far away, or how many there are.
-std::size_t lay(std::vector<Vec2>& vertices, const OutlineOptions& options) {
-  const Bounds bounds = box_about(vertices);
-  const Vec2 origin = options.centre && !bounds.empty() ? bounds.centre() : Vec2(0, 0);
+std::size_t lay(ObjText& obj, const OutlineOptions& options) {
+  const Vec2 origin = options.centre ? centre_of(obj) : Vec2(0, 0);
+  std::vector<Vec2>& vertices = obj.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (options.centre) vertices[i] -= origin;
     vertices[i] *= options.scale;
@@ -98,7 +106,7 @@ Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,
                       Diagnostics& warnings) {
   FLATRAY_TRY(obj, parse_obj(source, options.threads));
   const Place file = named_place(source->name());
-  if (const std::size_t far = lay(obj->vertices, options); far < obj->vertices.size())
+  if (const std::size_t far = lay(*obj, options); far < obj->vertices.size())
     return fail(obj_record_place(source, "v", far), "this vertex comes to lie beyond 1e300",
                 "choose a smaller scale");
   ShapeMaker maker{*obj};

@@ -186,6 +186,17 @@ TEST_F(ImportedFile, MayBeginWithAByteOrderMark) {
   EXPECT_TRUE(scene->warnings.empty());
 }
 
+TEST_F(ImportedFile, IsCentredByTheCornersOfItsFacesAndLines) {
+  const std::string text = with_shape("import = { file = \"part.obj\", centre = true }");
+  const auto first_vertex = [&](const std::string& records) {
+    EXPECT_TRUE(write_file(folder_ / "part.obj", "v 9 9\nv 1 1\nv 3 1\nv 3 5\nv 1 9\n" + records));
+    return load_scene_text((folder_ / "s.toml").string(), text)->scene.shapes[0].vertices[0];
+  };
+  EXPECT_EQ(first_vertex("f 2 3 4\n"), Vec2(-1, -2));
+  EXPECT_EQ(first_vertex("f 2 3 4\nl 4 5\n"), Vec2(-1, -4));
+  EXPECT_EQ(first_vertex("f 2 3 4\nf 1 1 1\n"), Vec2(-4, -4));
+}
+
 TEST(Import, MistakesAreTold) {
   EXPECT_NE(refusal(with_shape("import = { file = \"none.obj\" }"))
                 .find("4:29: error: file 'none.obj': cannot read: No such file"),
