@@ -300,6 +300,24 @@ TEST(PublicTrace, WhatWasMovedFromIsEmptyAndMayBeUsedAgain) {
   EXPECT_TRUE(api::RayTracer(api::Walls()).nearest({one, one, one, zero}, hits = {{}}));
 }
 
+TEST(PublicTrace, WhatWasAssignedFromIsEmptyAndWhatIsAssignedToItselfIsKept) {
+  const Numbers x = {0, 4, 4, 0}, y = {0, 0, 4, 4}, one = {1}, zero = {0};
+  api::Walls ring, segment;
+  ASSERT_TRUE(ring.add_ring(x, y));
+  ASSERT_TRUE(segment.add_segments(zero, zero, one, one));
+  api::RayTracer to(segment), from(ring);
+  to = std::move(from);
+  EXPECT_EQ(to.walls(), 4U);
+  EXPECT_EQ(from.walls(), 0U);  // NOLINT(bugprone-use-after-move)
+  api::RayTracer& same = to;
+  to = std::move(same);
+  EXPECT_EQ(to.walls(), 4U);
+
+  segment = std::move(ring);
+  EXPECT_EQ(segment.size(), 4U);
+  EXPECT_EQ(ring.size(), 0U);  // NOLINT(bugprone-use-after-move)
+}
+
 TEST(PublicTrace, EveryFaultHasItsOwnWords) {
   std::vector<std::string> all;
   for (int i = 0; i <= static_cast<int>(api::Fault::full); ++i)

@@ -3,9 +3,10 @@
 namespace flatray::api {
 
 /// The only owner of an object whose type is known to the library alone. Once it is moved from, it
-/// owns nothing. (std::unique_ptr would cost every program that includes it twenty thousand lines.)
+/// owns nothing; assigned to itself it keeps what it owns. (std::unique_ptr would cost every program
+/// that includes it twenty thousand lines.)
 ///
-/// Needs   T to be complete where an owner is destroyed.
+/// Needs   T to be complete where an owner is destroyed or assigned to.
 template <class T>
 class Owned {
  public:
@@ -13,9 +14,10 @@ class Owned {
   explicit Owned(T* object) : object_(object) {}
   Owned(Owned&& other) noexcept : object_(other.object_) { other.object_ = nullptr; }
   Owned& operator=(Owned&& other) noexcept {
-    T* const mine = object_;
+    if (this == &other) return *this;
+    delete object_;
     object_ = other.object_;
-    other.object_ = mine;
+    other.object_ = nullptr;
     return *this;
   }
   Owned(const Owned&) = delete;
