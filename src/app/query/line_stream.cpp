@@ -59,7 +59,9 @@ Result<std::vector<StreamLine>> LineStream::next() {
   }
   used_ = end == std::string::npos ? room_.size() : end + 1;
   std::vector<StreamLine> lines;
-  each_line({room_.data(), used_}, [&](std::string_view line) { lines.push_back({line}); });
+  each_line({room_.data(), used_}, [&](std::string_view line) {
+    lines.push_back(line.size() > kLongest ? StreamLine{{}, true} : StreamLine{line});
+  });
   return lines;
 }
 
