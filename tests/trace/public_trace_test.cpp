@@ -324,6 +324,9 @@ TEST(PublicTrace, EveryFaultHasItsOwnWords) {
     all.emplace_back(api::words(static_cast<api::Fault>(i)));
   std::sort(all.begin(), all.end());
   EXPECT_EQ(std::unique(all.begin(), all.end()), all.end());
+  const std::string degenerate = api::words(api::Fault::degenerate);
+  for (const char* what : {"ellipse", "arc", "curve", "weight"})
+    EXPECT_NE(degenerate.find(what), std::string::npos) << what;
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ void read_conic(const QuestionPart& conic, Surfaces& walls) {
   if (!points || !weight) return conic.mistake("needs 3 points and a weight");
   const auto number = weight.value->as_number();
   if (!number || !Bezier::is_in_range(*number))
-    weight.mistake("is not a number from 1e-12 to 1e12");
+    weight.mistake("is not a number from 2^-40 to 2^40");
   if (points.list() == nullptr || points.list()->size() != 3)
     return points.mistake("is not a list of 3 control points");
   add_bezier(points, number.value_or(1), walls);

@@ -67,6 +67,11 @@ TEST(Query, EllipsesAndBezierCurvesAreWalls) {
   const std::string conic = R"({"conic":{"points":[[2.5,10],[4,4],[10,2.5]],"weight":1.25}})";
   EXPECT_EQ(nearest(conic, R"("origin":[0,4],"direction":[1,0])"),
             R"({"wall":0,"t":6.25,"point":[6.25,4],"class":"through"})");
+  for (const char* weight : {"1099511627776", "9.094947017729282e-13"})  // 2^40, 2^-40
+    EXPECT_EQ(
+        nearest(fmt::format(R"({{"conic":{{"points":[[0,0],[1,1],[2,0]],"weight":{}}}}})", weight),
+                R"("origin":[5,9],"direction":[1,0])"),
+        R"({"wall":null})");
   // From one focus of an ellipse to the other and back.
   const std::string orbit = answer(
       R"({"op":"orbit","walls":[{"ellipse":{"center":[0,0],"u":[5,0],"v":[0,4]}}],"origin":[-3,0],)"
@@ -80,9 +85,11 @@ TEST(Query, EllipsesAndBezierCurvesAreWalls) {
       {R"({"bezier":[[0,0],[1e308,1e308],[-1e308,1e308],[1,0]]})", "reaches beyond 1e200"},
       {R"({"conic":{"points":[[0,0],[1,1]],"weight":2}})", "is not a list of 3 control points"},
       {R"({"conic":{"points":[[0,0],[1,1],[2,0]],"weight":0}})",
+       "conic.weight: is not a number from 2^-40 to 2^40"},
+      {R"({"conic":{"points":[[0,0],[1,1],[2,0]],"weight":9.0949470177292e-13}})",
        "conic.weight: is not a number from"},
       {R"({"conic":{"points":[[0,0],[1,1],[2,0],[3,0]],"weight":2}})", "3 control points"},
-      {R"({"conic":{"points":[[0,0],[1,1],[2,0]],"weight":1e13}})",
+      {R"({"conic":{"points":[[0,0],[1,1],[2,0]],"weight":1099511627777}})",
        "conic.weight: is not a number from"},
       {R"({"conic":{"points":[[0,0],[1,1],[2,0]]}})", "needs 3 points and a weight"},
       {R"({"bezier":[[0,0],[1,1],[2,0]],"circle":{"center":[0,0],"radius":1}})", "one of them"}};

@@ -12,7 +12,7 @@ enum class Fault : std::uint8_t {
   sizes,       ///< arrays that go together differ in length
   not_finite,  ///< a coordinate is NaN or infinite, or a limit of t is NaN
   radius,      ///< a radius is negative
-  degenerate,  ///< the numbers make no ellipse, arc or Bezier curve, as Walls says
+  degenerate,  ///< the numbers make no ellipse, arc, conic or Bezier curve, as Walls says
   empty,       ///< a polygon without a vertex
   not_convex,  ///< a polygon turns the other way at this vertex, or winds round twice
   no_such,     ///< no wall or body has the number given
