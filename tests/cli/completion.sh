@@ -27,6 +27,9 @@ expect "frames " "$(words flatray help fram)" topics
 expect "check update " "$(words flatray golden '')" actions
 expect "box " "$(words flatray hit first.toml --from '')" "entities of the scene"
 expect "" "$(words flatray hit absent.toml --from '')" "entities of no scene"
+mkfifo pipe.toml
+expect box "$(timeout 60 "$flatray" completion words -- flatray hit pipe.toml first.toml --from '')" "beside a pipe"
+rm pipe.toml
 expect "film.background= " "$(words flatray render first.toml -D film.b)" "keys of a scene"
 expect ":folders " "$(words flatray golden check --root '')" folders
 expect ":files jsonl json " "$(words flatray query '' | tr -d '\t')" "questions"

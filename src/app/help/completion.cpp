@@ -13,6 +13,8 @@
 namespace flatray {
 namespace {
 
+namespace fs = std::filesystem;
+
 // Words of a command line as the options of its verb divide them.
 struct CommandLine {
   std::vector<Option> options;
@@ -54,7 +56,8 @@ template <class Names>
 std::vector<std::string> names_in_scene(const CommandLine& line, const Names& names) {
   std::vector<std::string> found;
   for (const std::string& operand : line.operands) {
-    if (operand == "-" || format_for_name(operand) == nullptr) continue;
+    std::error_code missing;  // a pipe or device could keep the shell for ever
+    if (format_for_name(operand) == nullptr || !fs::is_regular_file(operand, missing)) continue;
     const Result<LoadedScene> loaded = load_scene(operand);
     if (!loaded) continue;
     for (const auto& one : names(loaded->scene))
