@@ -40,6 +40,10 @@ class Emitter {
   virtual bool is_one_ray() const { return false; }
   /// Of lamps that LampType::seen calls `line`.
   virtual std::optional<LampLine> line() const { return std::nullopt; }
+  /// Where its rays set off, of lamps whose rays set off from a line.
+  virtual std::optional<LampLine> starts() const { return line(); }
+  /// About what part of the places in a room so wide sees it, or of the paths through the room meets it.
+  virtual double seen_part(double /*room*/) const { return 1; }
 };
 
 inline constexpr unsigned kMostLampNumbers = 5;

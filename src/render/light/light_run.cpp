@@ -135,12 +135,17 @@ bool is_gathered(const Scene& scene, const FrameState& state) {
     return scene.light.estimator == LightEstimator::backward;
   if (why_not_backward(scene) || why_noisy_backward(scene)) return false;
   const World world = build_world(scene, state);
-  if (world.surfaces.size() == 0 || any_on_wall(lamp_states(scene, state), world.surfaces))
-    return false;
+  if (world.surfaces.size() == 0) return false;
   const Bounds all = bounds_of(world.surfaces);
+  double part = 1;  // of paths that find the lamp that fewest find
+  for (const LampState& lamp : lamp_states(scene, state)) {
+    if (!walls_beside(lamp, world.surfaces).walls.empty()) return false;
+    part = std::min(part, lamp.emitter->seen_part(all.size().stableNorm() / lamp.pose.scale));
+  }
   const FilmTransform film(scene.film, state);
   const double pixel = 1 / film.scale();
-  return all.size().prod() > kSmallPart * (scene.film.width * pixel) * (scene.film.height * pixel);
+  return part * all.size().prod() >
+         kSmallPart * (scene.film.width * pixel) * (scene.film.height * pixel);
 }
 
 namespace {

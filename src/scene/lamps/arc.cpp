@@ -37,6 +37,7 @@ class Arc : public Emitter {
                     radius_ * sweep,
                     out_<0, out_> 0};
   }
+  double seen_part(double room) const override { return radius_ * std::abs(sweep_) / room; }
 
  private:
   double radius_, from_, sweep_, out_;

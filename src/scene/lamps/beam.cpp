@@ -15,6 +15,10 @@ class Beam : public Emitter {
     if (!(at.x() > 0 && std::abs(at.y()) <= width_ / 2)) return std::nullopt;
     return Sight{{0, at.y()}, 1 / width_};
   }
+  std::optional<LampLine> starts() const override {
+    return LampLine{{{0, -width_ / 2}, {0, width_ / 2}}, std::nullopt, false, width_, false, true};
+  }
+  double seen_part(double room) const override { return width_ / room; }
 
  private:
   double width_;

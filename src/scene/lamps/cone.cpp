@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "base/number_text.h"
 #include "geom/turn.h"
@@ -27,6 +28,7 @@ class Cone : public Emitter {
     return Sight{{0, 0}, 1 / (spread_ * r)};
   }
   bool is_one_ray() const override { return spread_ == 0; }
+  double seen_part(double /*room*/) const override { return spread_ / (2 * std::numbers::pi); }
 
  private:
   double spread_;  // radians

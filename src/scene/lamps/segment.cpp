@@ -28,6 +28,7 @@ class Line : public Emitter {
     const double length = std::sqrt(along_.dot(along_));
     return LampLine{{from_, from_ + along_}, std::nullopt, false, length, true, both_sides_};
   }
+  double seen_part(double room) const override { return along_.stableNorm() / room; }
 
  private:
   Vec2 from_, along_, unit_;

@@ -27,8 +27,10 @@ class Emission {
   /// of its colours.
   Spectrum::Part part(std::uint32_t number, double u) const;
 
- private:
+  /// The lamp of ray `number` of a block.
   std::uint32_t lamp_of(std::uint32_t number) const;
+
+ private:
   double number(std::uint32_t lamp, std::uint64_t sequence, unsigned dimension) const;
 
   std::span<const LampState> lamps_;

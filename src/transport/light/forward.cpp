@@ -7,6 +7,7 @@
 #include "transport/light/lit_walls.h"
 #include "transport/light/net.h"
 #include "transport/light/order.h"
+#include "transport/light/seen_lamps.h"
 
 namespace flatray {
 namespace {
@@ -23,7 +24,9 @@ class Forward {
         place_(place),
         rules_(rules),
         scrambles_(scrambles(lamps)),
-        size_(world_size(place)) {}
+        size_(world_size(place)) {
+    for (const LampState& lamp : lamps) beside_.push_back(walls_beside(lamp, walls_.walls()));
+  }
 
   TracedLight trace(TracedLight light, const NextRound& next) && {
     light_ = std::move(light);
@@ -106,7 +109,8 @@ class Forward {
         rays_[i] = now_->emission.ray(block, static_cast<std::uint32_t>(i));
         counts.emitted += energy(rays_[i].weight);
         gamble(rays_[i], block, kEmitted, counts);
-        if (walls_.sets_off(rays_[i])) continue;
+        const WallsBeside& beside = beside_[now_->emission.lamp_of(static_cast<std::uint32_t>(i))];
+        if (walls_.sets_off(rays_[i], beside.walls.empty() ? nullptr : &beside)) continue;
         counts.at_corners += energy(rays_[i].weight);
         rays_[i].weight = {0, 0, 0};
       }
@@ -378,6 +382,7 @@ class Forward {
   const float faint_ =
       walls_.bodies().disperse() ? 0.1F / static_cast<float>(kMostOfWavelength) : 0.1F;
   const Bounds size_;
+  std::vector<WallsBeside> beside_;  // by lamp
   TracedLight light_;
   const Scramble* now_ = nullptr;  // the one that is traced, and its film
   LightFilm* film_ = nullptr;

@@ -14,6 +14,12 @@
 
 namespace flatray {
 
+/// Walls along which rays of a lamp set off: by rounding from one side or the other.
+struct WallsBeside {
+  std::vector<std::uint32_t> walls;
+  double reach = 0;  ///< how far beside them, in each coordinate
+};
+
 /// Where a ray of light comes to a wall.
 struct LightHit {
   NearestHit hit;
@@ -43,7 +49,8 @@ class LitWalls {
 
   /// Makes a ray one that has left the wall it stands on, in the bodies it is then in; false where
   /// it cannot set off, from a corner or along a wall.
-  bool sets_off(LightRay& ray) const;
+  /// One that stands beside one of `beside` stands on it, and sets off to the side its direction leads to.
+  bool sets_off(LightRay& ray, const WallsBeside* beside = nullptr) const;
   /// The next wall of each ray. Needs   `met` as long as `rays`.
   void fly(std::span<const LightRay> rays, std::span<LightHit> met) const;
   /// Of a hit in a corner: whether all walls there absorb all light.
@@ -66,6 +73,7 @@ class LitWalls {
   bool leaves(LightRay& ray, const LightHit& met, const Departure& departure) const;
 
  private:
+  bool sets_off_beside(LightRay& ray, std::uint32_t surface) const;
   LightHit light_hit(const Ray& ray, const NearestHit& hit) const;
   Sign inside_at(std::uint32_t surface) const;
   Sign side(const LightHit& met) const;

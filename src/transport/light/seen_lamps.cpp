@@ -31,21 +31,44 @@ void add(Surfaces& lines, const LampLine& line, const Pose& pose) {
     lines.add(Arc{*circle, whole ? Arc::Extent::whole : Arc::Extent::between, ends.a, ends.b});
 }
 
+constexpr double kRounding = 0x1p-48;  // of the places of a lamp and its walls, in groups, too
+
+// Whether one lies on the line or curve of the other, as far as rounding of up to `reach` tells.
+template <class One, class Other>
+bool lies_near(const One&, const Other&, double) {
+  return false;
+}
+bool lies_near(const Segment& one, const Segment& other, double reach) {
+  const Vec2 along = one.b - one.a, beside = other.b - other.a;
+  if (along.stableNorm() < beside.stableNorm()) return lies_near(other, one, reach);
+  const Vec2 unit = along.stableNormalized();
+  const auto is_near = [&](const Vec2& end) { return std::abs(cross(unit, end - one.a)) <= reach; };
+  return is_near(other.a) && is_near(other.b);
+}
+bool lies_near(const Arc& one, const Arc& other, double reach) {
+  const Ellipse &a = one.curve, &b = other.curve;
+  return b.is_circle() && (a.centre - b.centre).cwiseAbs().maxCoeff() <= reach &&
+         std::abs(a.u.stableNorm() - b.u.stableNorm()) <= reach;
+}
+
 }  // namespace
 
-bool any_on_wall(std::span<const LampState> lamps, const Surfaces& walls) {
-  for (const LampState& lamp : lamps) {
-    const std::optional<LampLine> line = lamp.emitter->line();
-    if (!line) continue;
-    Surfaces alone;
-    add(alone, *line, lamp.pose);
-    for (std::uint32_t wall = 0; wall < walls.size(); ++wall)
-      if (walls.visit(wall, [&](const auto& other) {
-            return alone.visit(0, [&](const auto& own) { return lies_along(own, other); });
-          }))
-        return true;
-  }
-  return false;
+WallsBeside walls_beside(const LampState& lamp, const Surfaces& walls) {
+  const std::optional<LampLine> line = lamp.emitter->starts();
+  if (!line) return {};
+  Surfaces alone;
+  add(alone, *line, lamp.pose);
+  const Bounds box = bounds_of(alone);
+  const double far =
+      box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(lamp.pose.at.cwiseAbs()).maxCoeff();
+  WallsBeside beside{{}, kRounding * (far + box.size().maxCoeff())};
+  for (std::uint32_t wall = 0; wall < walls.size(); ++wall)
+    if (walls.visit(wall, [&](const auto& other) {
+          return alone.visit(0,
+                             [&](const auto& own) { return lies_near(own, other, beside.reach); });
+        }))
+      beside.walls.push_back(wall);
+  return beside;
 }
 
 SeenLamps::SeenLamps(std::span<const LampState> lamps, const LitWalls& walls)

@@ -10,9 +10,8 @@ namespace flatray {
 
 using LightSum = std::array<double, 3>;
 
-/// Whether a lamp that is a line lies along a wall, so that it is by rounding on which side of it a
-/// path comes to the lamp.
-bool any_on_wall(std::span<const LampState> lamps, const Surfaces& walls);
+/// Of a lamp whose rays set off from a line, the segments and circles that it lies along but for rounding.
+WallsBeside walls_beside(const LampState& lamp, const Surfaces& walls);
 
 /// The lamps of a frame as paths from pixels find them.
 class SeenLamps {
