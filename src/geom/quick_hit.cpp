@@ -1,6 +1,7 @@
 #include "geom/quick_hit.h"
 
 #include "geom/decide.h"
+#include "geom/primitives/wall.h"
 
 namespace flatray {
 namespace {
@@ -31,7 +32,7 @@ QuickHit quick_hit(const Ray& ray, const Segment& wall, Root) {
     const auto point = line_point(kQuick, ray, wall);
     place(hit, point.x, point.y);
   });
-  hit.normal = Vec2(-(wall.b.y() - wall.a.y()), wall.b.x() - wall.a.x());
+  hit.normal = normal_near(wall, hit.nearest);
   hit.is_normal_certain = true;
   return hit;
 }

@@ -4,6 +4,7 @@
 
 #include "full_counts.h"
 #include "geom/curved_path.h"
+#include "geom/quick_hit.h"
 
 namespace flatray {
 namespace {
@@ -18,6 +19,15 @@ TEST(Walls, NormalsOfAnEllipsePointOutwardWhicheverWayItsHalfDiametersTurn) {
   for (const bool clockwise : {false, true})
     for (const Vec2& out : {Vec2(2, 0), Vec2(-2, 0), Vec2(0, 1), Vec2(0, -1)})
       EXPECT_GT(normal_near(oval(clockwise), Vec2(1, 1) + out).dot(out), 0) << out;
+}
+
+// b - a is infinite, and so is no direction.
+TEST(Walls, NormalsOfSegmentsLongerThanTheDoublesAreUprightOnThem) {
+  const Segment steep{{1, 1e308}, {0, -1e308}}, slope{{1e308, -1.5e308}, {-1e308, 1.5e308}};
+  EXPECT_EQ(unit(normal_near(steep, steep.a)), Vec2(1, -5e-309));
+  EXPECT_EQ(normal_near(slope, slope.a), Vec2(-1.5e308, -1e308));
+  const QuickHit quick = quick_hit({{-1, -9e307}, {2, 1}}, steep);
+  EXPECT_TRUE(!quick.is_normal_certain || quick.normal == normal_near(steep, steep.a));
 }
 
 TEST(Walls, LeadAwayToTheSideOnWhichTheirNormalIs) {

@@ -226,6 +226,15 @@ TEST(StiffCases, C28ThinWall) {
   }
 }
 
+TEST(Orbit, IsReflectedByWallsLongerThanTheDoubles) {
+  Surfaces walls;
+  walls.add(Segment{{1, 1e308}, {0, -1e308}});
+  const Orbit orbit = in_mirrors(walls, {{-1, -9e307}, {2, 1}}, 3);
+  ASSERT_EQ(orbit.bounces.size(), 1U);
+  EXPECT_EQ(orbit.bounces[0].normal, Vec2(-1, 5e-309));
+  EXPECT_EQ(orbit.bounces[0].out, Vec2(-2, 1));
+}
+
 TEST(Orbit, WithoutBouncesOnlyLooksAtTheStart) {
   const Orbit orbit = in_mirrors(unit_square(), {{0.5, 0.5}, {1, 0}}, 0);
   EXPECT_EQ(orbit.end, OrbitEnd::limit);

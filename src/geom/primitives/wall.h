@@ -135,9 +135,12 @@ constexpr Root root_departed(const Curve&, Sign side) {
   return side == Sign::negative ? Root::first : Root::second;
 }
 
-/// A normal of the wall near a point, towards the positive side, in plain doubles.
+/// A normal of the wall near a point, towards the positive side, in plain doubles; half as long of a
+/// segment that is longer than they reach.
 inline Vec2 normal_near(const Segment& wall, const Vec2&) {
-  return {-(wall.b.y() - wall.a.y()), wall.b.x() - wall.a.x()};
+  Vec2 way = wall.b - wall.a;
+  if (!way.allFinite()) way = 0.5 * wall.b - 0.5 * wall.a;
+  return {-way.y(), way.x()};
 }
 Vec2 normal_near(const Arc& wall, const Vec2& point);
 Vec2 normal_near(const Bezier& wall, const Vec2& point);
