@@ -21,14 +21,15 @@ struct UlpSteps {
 /// away from 0; equal distances have a fixed order.
 std::span<const UlpSteps> steps_about(const Vec2& centre);
 
-/// The first of `centre` and the doubles about it, nearest first, that is accepted; nullopt if none
-/// within kSearchUlps in each coordinate is.
+/// The first of `centre` and the doubles about it, nearest first, that is finite and accepted; nullopt
+/// if none within kSearchUlps in each coordinate is.
 template <class Accepted>
 std::optional<Vec2> nearest_double(const Vec2& centre, const Accepted& accepted) {
-  if (accepted(centre)) return centre;
+  const auto is_taken = [&](const Vec2& point) { return point.allFinite() && accepted(point); };
+  if (is_taken(centre)) return centre;
   for (const UlpSteps& step : steps_about(centre)) {
     const Vec2 candidate(step_ulps(centre.x(), step.x), step_ulps(centre.y(), step.y));
-    if (accepted(candidate)) return candidate;
+    if (is_taken(candidate)) return candidate;
   }
   return std::nullopt;
 }

@@ -46,5 +46,12 @@ TEST(NearDoubles, TheFirstAcceptedIsGivenAndNoneBeyondTwoUlps) {
   EXPECT_FALSE(nearest_double(centre, [](const Vec2& p) { return p.x() > 0.5 + 0x1p-51; }));
 }
 
+TEST(NearDoubles, NoneIsInfinite) {
+  constexpr double kMax = std::numeric_limits<double>::max();
+  const auto any = [](const Vec2&) { return true; };
+  EXPECT_FALSE(nearest_double(Vec2(-kMax, 1), [](const Vec2& p) { return p.x() < -kMax; }));
+  EXPECT_EQ(nearest_double(Vec2(HUGE_VAL, 1), any), Vec2(kMax, 1));
+}
+
 }  // namespace
 }  // namespace flatray

@@ -235,6 +235,19 @@ TEST(Orbit, IsReflectedByWallsLongerThanTheDoubles) {
   EXPECT_EQ(orbit.bounces[0].out, Vec2(-2, 1));
 }
 
+// The point met is within half an ulp of the largest double, or beyond it: that has no neighbour outward.
+TEST(Orbit, StaysAmongTheDoublesAtTheLargest) {
+  constexpr double kMax = std::numeric_limits<double>::max();
+  Surfaces disc, wall;
+  disc.add(Circle{{0, 0}, kMax});
+  wall.add(Segment{{1, kMax}, {0, -kMax}});
+  const Orbit in_disc = in_mirrors(disc, {{0, 1}, {1, 0}}, 3);
+  const Orbit at_wall = in_mirrors(wall, {{-1, -kMax}, {2, 1}}, 3);
+  EXPECT_EQ(in_disc.bounces.size(), 3U);
+  for (const Orbit& orbit : {in_disc, at_wall})
+    for (const Bounce& bounce : orbit.bounces) EXPECT_TRUE(bounce.point.allFinite());
+}
+
 TEST(Orbit, WithoutBouncesOnlyLooksAtTheStart) {
   const Orbit orbit = in_mirrors(unit_square(), {{0.5, 0.5}, {1, 0}}, 0);
   EXPECT_EQ(orbit.end, OrbitEnd::limit);
