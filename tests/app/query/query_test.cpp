@@ -40,6 +40,23 @@ TEST(Query, ATimeBeyondTheDoublesIsTheLargestAndSaysSo) {
   EXPECT_NE(line.find(R"("overflow":true)"), std::string::npos) << line;
 }
 
+// Walls met at the largest double, and at twice that: across, in an end, as an arc.
+TEST(Query, ATimeThatIsTheLargestDoubleLiesNotBeyondIt) {
+  for (const std::string wall :
+       {R"({"segment":[[1.7976931348623157e308,-1],[1.7976931348623157e308,1]]})",
+        R"({"segment":[[1.7976931348623157e308,0],[1.7976931348623157e308,1]]})",
+        R"({"segment":[[1.7976931348623157e308,0],[1.797693134862315e308,0]]})",
+        R"({"circle":{"center":[0,0],"radius":1.7976931348623157e308}})"})
+    for (const bool beyond : {false, true}) {
+      if (wall.find("315e308") != std::string::npos && !beyond) continue;
+      const std::string line =
+          answer(R"({"op":"nearest","walls":[)" + wall + R"(],"origin":[0,0],)" +
+                 R"("direction":[)" + (beyond ? "0.5" : "1") + ",0]}");
+      EXPECT_NE(line.find(R"("t":1.7976931348623157e+308,)"), std::string::npos) << line;
+      EXPECT_EQ(line.find(R"("overflow":true)") != std::string::npos, beyond) << line;
+    }
+}
+
 TEST(Query, TheFirstWallIsTheNearestAndTheLowestOfEqualOnes) {
   const std::string walls =
       R"("walls":[{"segment":[[0,0],[1,0]]},{"circle":{"center":[0.5,2],"radius":0.5}},)"
