@@ -41,13 +41,16 @@ Ball::Ball(double exact, int bits) : Ball(static_cast<mpfr_prec_t>(bits)) {
   mpfr_set_d(middle_, exact, MPFR_RNDN);
 }
 // A sum of doubles, each the nearest to what those before left, so that less is left than the last.
-// What is left is scaled up by as much as it has become smaller, for it would leave the range of doubles.
+// What is left is scaled up by as much as it has become smaller, for it would leave the range of doubles, and
+// down at first as long as it is beyond them.
 Ball::Ball(const Rational& exact, int bits) : Ball(0.0, bits) {
-  constexpr int kStep = 52;
+  constexpr int kStep = 52, kDown = 1000;
   Rational left = exact;
   double part = left.nearest();
   long scale = 0;  // what is left is left * 2^-scale
-  for (; left.sign() != Sign::zero && std::isfinite(part) && scale <= bits; scale += kStep) {
+  for (; std::isinf(part); part = left.nearest(), scale -= kDown) left *= 0x1p-1000;
+  const long last = scale + bits;
+  for (; left.sign() != Sign::zero && scale <= last; scale += kStep) {
     Ball term(part, bits);
     mpfr_mul_2si(term.middle_, term.middle_, -scale, MPFR_RNDN);
     *this = *this + term;
@@ -55,7 +58,7 @@ Ball::Ball(const Rational& exact, int bits) : Ball(0.0, bits) {
     part = left.nearest();
   }
   if (left.sign() == Sign::zero) return;
-  Radius size;  // infinite where a part is
+  Radius size;
   mpfr_set_d(size.value, std::fabs(part) + std::numeric_limits<double>::denorm_min(), MPFR_RNDU);
   mpfr_mul_2si(size.value, size.value, 1 - scale, MPFR_RNDU);
   mpfr_add(radius_, radius_, size.value, MPFR_RNDU);

@@ -49,11 +49,12 @@ TEST(Ball, MoreBitsTellWhatFewerLeaveOpen) {
   EXPECT_EQ(sign_at(256), Sign::positive);
 }
 
-// Of thirds, whose sum of doubles never ends, and of numbers at the ends of the doubles.
+// Of thirds, whose sum of doubles never ends, and of numbers at the ends of the doubles and beyond.
 TEST(Ball, ARationalNumberIsWithinIts) {
   for (const Rational& exact :
-       {Rational(1) / 3, Rational(-1e300) / 7, Rational(5e-324) / 3,
-        Rational(0.1) * 0.1 * 0.1 * 0.1, Rational(1) + Rational(0x1p-500), Rational(0)})
+       {Rational(1) / 3, Rational(-1e300) / 7, Rational(5e-324) / 3, Rational(1e300) * 1e300,
+        Rational(-1e300) * 1e300 * 1e300 * 1e300 / 3, Rational(0.1) * 0.1 * 0.1 * 0.1,
+        Rational(1) + Rational(0x1p-500), Rational(0)})
     for (const int bits : {53, 128, 1000}) {
       const Ball close(exact, bits);
       for (const double hair : {0x1p-40, -0x1p-40}) {
@@ -67,7 +68,9 @@ TEST(Ball, ARationalNumberIsWithinIts) {
       EXPECT_EQ(off.value_or(Sign::zero), Sign::zero);
     }
   EXPECT_EQ((Ball(Rational(0.75), 53) - ball(0.75)).sign(), Sign::zero);
-  EXPECT_EQ(Ball(Rational(1e300) * 1e300, 128).sign(), std::nullopt);
+  const Ball beyond(Rational(1e300) * 1e300, 128);
+  EXPECT_EQ((beyond - ball(1e300) * ball(1e300)).sign(), Sign::zero);
+  EXPECT_EQ(beyond.nearest(), std::nullopt);
 }
 
 TEST(Ball, IsItsMiddleAndItsRest) {

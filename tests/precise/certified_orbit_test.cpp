@@ -41,6 +41,19 @@ TEST(CertifiedOrbit, ACornerMetExactlyIsOne) {
   EXPECT_EQ(orbit->end_surfaces, (std::vector<std::uint32_t>{2, 3}));
 }
 
+// Squares of its numbers are beyond the doubles, and it takes roots of them.
+TEST(CertifiedOrbit, IsDecidedInADiscOfAnySize) {
+  for (const double size : {1e155, 1e200, 1e300}) {
+    Surfaces walls;
+    walls.add(Circle{{size, 0}, size});
+    const auto orbit = certified_orbit(walls, {{-3, 0.5}, {1, 0.25}}, 1);
+    ASSERT_TRUE(orbit);
+    EXPECT_TRUE(orbit->decided) << size;
+    ASSERT_EQ(orbit->bounces.size(), 1U);
+    EXPECT_EQ(orbit->bounces[0].point.y(), 1.25);  // but for 1e-155 the tangent x = 0
+  }
+}
+
 TEST(CertifiedOrbit, TwoHundredBouncesAmongDiscsNeedMoreThanDoubles) {
   const auto orbit = certified_orbit(sinai(), {{-1.5, 0.3}, {1, 0.21}}, 200);
   ASSERT_TRUE(orbit);
