@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle shapes/ngon shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass passes/light passes/entities formats/toml
+// needs: shapes/arc shapes/box shapes/circle shapes/ngon shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass passes/light passes/entities formats/toml
 // Light gathered from pixels against closed forms, and against light from lamps.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -176,8 +176,34 @@ TEST(Gather, OfALampAlongAWallDoesNotGoThroughTheWall) {
   EXPECT_GT(covered(in + room), 0.9);
   const Scene scene = scene_of(seen(in + room, ""));
   const Timeline timeline(scene, 0, 1);
-  EXPECT_TRUE(any_on_wall(lamp_states(scene, at(timeline, 1)),
-                          build_world(scene, at(timeline, 1)).surfaces));
+  EXPECT_EQ(walls_beside(lamp_states(scene, at(timeline, 1)).front(),
+                         build_world(scene, at(timeline, 1)).surfaces)
+                .walls.size(),
+            1U);
+}
+
+// A wall and a lamp along a part of it, in a group that turns: by rounding rays set off from either side.
+TEST(Light, OfALampAlongAWallIsNotTakenByItHoweverBothAreTurned) {
+  struct Case {
+    const char *lamp, *wall;
+  };
+  const std::string straight = "segment = { from = [-1, 0], to = [1, 0] }";
+  for (const auto& [lamp, wall] :
+       {Case{"source = { segment = { from = [-0.7, 0], to = [0.9, 0] } }", straight.c_str()},
+        Case{"source = { beam = { width = 1.3 } }\nangle = 90", straight.c_str()},
+        Case{"source = { arc = { radius = 1, from = 20, to = 70 } }",
+             "arc = { radius = 1, from = 0, to = 90 }"}})
+    for (int degrees = 0; degrees < 360; degrees += 17) {
+      const Scene scene = scene_of(
+          seen(fmt::format("[[group]]\nname = 'panel'\nat = [0.3, -0.2]\nangle = {}\n"
+                           "[[lamp]]\ngroup = 'panel'\n{}\n"
+                           "[[entity]]\ngroup = 'panel'\nmaterial = 'absorb'\nshape = {{ {} }}\n",
+                           degrees, lamp, wall),
+               "rays = 4096"));
+      const LightCounts counts =
+          trace_frame_light(scene, at(Timeline(scene, 0, 1), 1), nullptr, 1, 1, nullptr).counts;
+      EXPECT_EQ(counts.escaped, counts.emitted) << lamp << ' ' << degrees;
+    }
 }
 
 // Lamps at decimals beside a slanted wall, by their doubles on one side of it by some 1e-17.
@@ -307,11 +333,11 @@ TEST(Gather, BesideWhatScattersAlikeIsWarnedOf) {
 
 // Of 2500 times the size of the picture, and where it can.
 TEST(Gather, IsChosenForASmallPartOfTheWalls) {
-  const auto chosen = [](const char* half, const char* material) {
+  const auto chosen = [](const char* half, const char* material, const char* lamp = "point = {}") {
     const Scene scene =
         scene_of(seen("[[chamber]]\nshape = { box = { min = [-" + std::string(half) + ", -" + half +
                           "], max = [" + half + ", " + half + "] } }\nmaterial = " + material +
-                          "\n[[lamp]]\nsource = { point = {} }\n",
+                          "\n[[lamp]]\nsource = { " + lamp + " }\n",
                       ""));
     const Timeline timeline(scene, 0, 1);
     return is_gathered(scene, at(timeline, 1));
@@ -320,6 +346,12 @@ TEST(Gather, IsChosenForASmallPartOfTheWalls) {
   EXPECT_FALSE(chosen("199", "{ diffuse = {} }"));
   EXPECT_FALSE(chosen("201", "'mirror'"));
   EXPECT_FALSE(chosen("201", "{ isotropic = {} }"));  // whose noise has no bounds from there
+  // What few paths find.
+  EXPECT_TRUE(chosen("201", "{ diffuse = {} }", "beam = { width = 600 }"));
+  EXPECT_FALSE(chosen("201", "{ diffuse = {} }", "beam = { width = 500 }"));
+  EXPECT_TRUE(chosen("2010", "{ diffuse = {} }", "cone = { spread = 4 }"));
+  EXPECT_FALSE(chosen("2010", "{ diffuse = {} }", "cone = { spread = 3 }"));
+  EXPECT_FALSE(chosen("2010", "{ diffuse = {} }", "segment = { from = [0, 0], to = [1, 0] }"));
 }
 
 }  // namespace
