@@ -71,9 +71,11 @@ Xyz seen_of(double kelvin) {
 
 }  // namespace
 
+// Towards both ends the eye tells hardly any hues apart, and the lobes have none that are right.
 LightColour colour_of_wavelength(double nm) {
+  constexpr double kFirstHue_nm = 420, kLastHue_nm = 645;
   if (!(nm >= kFirst_nm && nm <= kLast_nm)) return {0, 0, 0};
-  return shown(srgb_of(matching(nm)));
+  return shown(srgb_of(matching(std::clamp(nm, kFirstHue_nm, kLastHue_nm))));
 }
 
 LightColour part_of_wavelength(double nm) {

@@ -11,7 +11,8 @@ using LightColour = std::array<double, 3>;
 /// What the eye sees of light of one wavelength, as near as sRGB shows it.
 ///
 /// Units   nm. Gives   the largest channel 1, none below 0: white is mixed in where the colour lies
-///         outside of sRGB; black below 360 nm and beyond 830.
+///         outside of sRGB; black below 360 nm and beyond 830. Hues below 420 and beyond 645 are those
+///         there, 0.03 of what the CIE's table has.
 /// Source  CIE 1931 as fitted by Wyman, Sloan and Shirley 2013, "Simple analytic approximations to
 ///         the CIE XYZ color matching functions".
 LightColour colour_of_wavelength(double nm);

@@ -14,6 +14,7 @@ extern const PictureFormat entry = {.name = "webm",
                                     .beginning = "\x1a\x45\xdf\xa3",
                                     .of_picture = &y4m_picture,
                                     .part = &y4m_part,
+                                    .most_fps = 1000,  // times are whole milliseconds
                                     .by_ffmpeg = kArguments};
 
 }  // namespace flatray::webm_format

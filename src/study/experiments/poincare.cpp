@@ -31,10 +31,10 @@ struct Section {
   std::size_t closed = 0;          // orbits
 
   explicit Section(BoundaryOrbits orbits);
-  // Stretches that an orbit asked for is cut into.
+  // Stretches that an orbit asked for is cut into; fours of them tell the error.
   std::size_t parts() const {
     const std::size_t orbits = watched.orbits.starts.size();
-    return watched.orbits.random ? 1 : (kStretches + orbits - 1) / orbits;
+    return watched.orbits.random ? 1 : (kStretches / 4 + orbits - 1) / orbits * 4;
   }
   void add(std::size_t orbit, std::span<const double> found);
 };

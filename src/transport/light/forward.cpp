@@ -24,9 +24,8 @@ class Forward {
         place_(place),
         rules_(rules),
         scrambles_(scrambles(lamps)),
-        size_(world_size(place)) {
-    for (const LampState& lamp : lamps) beside_.push_back(walls_beside(lamp, walls_.walls()));
-  }
+        size_(world_size(place)),
+        beside_(walls_beside(lamps, walls_.walls())) {}
 
   TracedLight trace(TracedLight light, const NextRound& next) && {
     light_ = std::move(light);
@@ -77,7 +76,6 @@ class Forward {
     });
     for (const LightCounts& one : counts) light_.counts += one;
   }
-
   bool trace_round(std::uint64_t round) {
     for (std::size_t i = 0; i < scrambles_.size(); ++i) {
       now_ = &scrambles_[i];
@@ -106,13 +104,11 @@ class Forward {
     rays_.resize(now_->emission.size());
     in_parts(rays_.size(), [&](std::size_t begin, std::size_t end, LightCounts& counts) {
       for (std::size_t i = begin; i < end; ++i) {
-        rays_[i] = now_->emission.ray(block, static_cast<std::uint32_t>(i));
-        counts.emitted += energy(rays_[i].weight);
-        gamble(rays_[i], block, kEmitted, counts);
-        const WallsBeside& beside = beside_[now_->emission.lamp_of(static_cast<std::uint32_t>(i))];
-        if (walls_.sets_off(rays_[i], beside.walls.empty() ? nullptr : &beside)) continue;
-        counts.at_corners += energy(rays_[i].weight);
-        rays_[i].weight = {0, 0, 0};
+        LightRay& ray = rays_[i] = now_->emission.ray(block, static_cast<std::uint32_t>(i));
+        counts.emitted += energy(ray.weight);
+        gamble(ray, block, kEmitted, counts);
+        if (walls_.sets_off(ray, beside_[now_->emission.lamp_of(ray.number)])) continue;
+        counts.at_corners += energy(std::exchange(ray.weight, kDark));
       }
       counts.rays += end - begin;
     });
@@ -382,7 +378,7 @@ class Forward {
   const float faint_ =
       walls_.bodies().disperse() ? 0.1F / static_cast<float>(kMostOfWavelength) : 0.1F;
   const Bounds size_;
-  std::vector<WallsBeside> beside_;  // by lamp
+  const std::vector<WallsBeside> beside_;  // by lamp
   TracedLight light_;
   const Scramble* now_ = nullptr;  // the one that is traced, and its film
   LightFilm* film_ = nullptr;

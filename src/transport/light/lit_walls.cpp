@@ -31,19 +31,19 @@ bool LitWalls::sets_off_beside(LightRay& ray, std::uint32_t surface) const {
   return !runs_along(walls_, ray.departed, from.direction);
 }
 
-bool LitWalls::sets_off(LightRay& ray, const WallsBeside* beside) const {
+bool LitWalls::sets_off(LightRay& ray, const WallsBeside& beside) const {
   const std::vector<std::uint32_t> stood_on = exact_origins_.walls_at(ray.ray.origin);
   if (!stood_on.empty()) {
     if (stood_on.size() > 1 || is_end(walls_, stood_on.front(), ray.ray.origin)) return false;
     ray.departed = {stood_on.front(), root_stood_on(walls_, stood_on.front(), ray.ray)};
     if (runs_along(walls_, ray.departed, ray.ray.direction)) return false;
-  } else if (beside != nullptr) {
-    const Vec2 reach(beside->reach, beside->reach);
-    const auto wall = std::ranges::find_if(beside->walls, [&](std::uint32_t i) {
+  } else if (!beside.walls.empty()) {
+    const Vec2 reach(beside.reach, beside.reach);
+    const auto wall = std::ranges::find_if(beside.walls, [&](std::uint32_t i) {
       return walls_.visit(i,
                           [&](const auto& one) { return passes_near(one, ray.ray.origin, reach); });
     });
-    if (wall != beside->walls.end() && !sets_off_beside(ray, *wall)) return false;
+    if (wall != beside.walls.end() && !sets_off_beside(ray, *wall)) return false;
   }
   if (bodies_.any()) ray.media = bodies_.at(ray.ray, ray.departed);
   return true;

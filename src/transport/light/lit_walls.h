@@ -50,7 +50,7 @@ class LitWalls {
   /// Makes a ray one that has left the wall it stands on, in the bodies it is then in; false where
   /// it cannot set off, from a corner or along a wall.
   /// One that stands beside one of `beside` stands on it, and sets off to the side its direction leads to.
-  bool sets_off(LightRay& ray, const WallsBeside* beside = nullptr) const;
+  bool sets_off(LightRay& ray, const WallsBeside& beside = {}) const;
   /// The next wall of each ray. Needs   `met` as long as `rays`.
   void fly(std::span<const LightRay> rays, std::span<LightHit> met) const;
   /// Of a hit in a corner: whether all walls there absorb all light.

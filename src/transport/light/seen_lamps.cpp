@@ -71,6 +71,12 @@ WallsBeside walls_beside(const LampState& lamp, const Surfaces& walls) {
   return beside;
 }
 
+std::vector<WallsBeside> walls_beside(std::span<const LampState> lamps, const Surfaces& walls) {
+  std::vector<WallsBeside> all;
+  for (const LampState& lamp : lamps) all.push_back(walls_beside(lamp, walls));
+  return all;
+}
+
 SeenLamps::SeenLamps(std::span<const LampState> lamps, const LitWalls& walls)
     : lamps_(lamps), walls_(walls) {
   for (const LampState& lamp : lamps) {

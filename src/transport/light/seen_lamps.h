@@ -12,6 +12,7 @@ using LightSum = std::array<double, 3>;
 
 /// Of a lamp whose rays set off from a line, the segments and circles that it lies along but for rounding.
 WallsBeside walls_beside(const LampState& lamp, const Surfaces& walls);
+std::vector<WallsBeside> walls_beside(std::span<const LampState> lamps, const Surfaces& walls);
 
 /// The lamps of a frame as paths from pixels find them.
 class SeenLamps {

@@ -180,6 +180,11 @@ TEST(Spectrum, HasTheColoursOfWavelengthsAndTemperatures) {
     EXPECT_GE(*std::min_element(c.begin(), c.end()), 0) << nm;
   }
   EXPECT_EQ(colour_of_wavelength(200), (LightColour{0, 0, 0}));
+  // By chromaticities of the CIE's table of 1931: (0.1741, 0.0050) at 380 nm, (0.7347, 0.2653) from 700 nm on.
+  for (const double nm : {380.0, 390.0, 400.0, 410.0})
+    expect_near(colour_of_wavelength(nm), {0.270, 0, 1}, 0.03);
+  for (const double nm : {660.0, 680.0, 700.0, 740.0, 780.0})
+    expect_near(colour_of_wavelength(nm), {1, 0, 0.091}, 0.03);
   for (const double channel : colour_of_temperature(6500)) EXPECT_NEAR(channel, 1, 0.1);
   EXPECT_LT(colour_of_temperature(2000)[2], 0.1);
   EXPECT_LT(colour_of_temperature(20000)[0], 0.6);
