@@ -11,8 +11,8 @@ const char* words(Fault fault) {
       "arrays that go together differ in length",
       "a coordinate is NaN or infinite, or a limit of t is NaN",
       "a radius is negative",
-      "an ellipse has no area, an arc no radius or no extent, a curve lies on a line, or a weight "
-      "is not from 2^-40 to 2^40",
+      ("an ellipse has no area, an arc no radius or no extent, a curve lies on a line, or a weight "
+       "is not from 2^-40 to 2^40"),
       "a polygon has no vertex",
       "a polygon is not convex at this vertex",
       "there is no wall or body of this number",
