@@ -165,12 +165,14 @@ Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderReque
 
 VerbOutput describe(const WorkList& list) {
   VerbOutput output;
-  for (const auto& [job, kept, frames, lines] : list.works) {
+  for (const Work& work : list.works) {
+    const RenderJob* const job = work.job;
+    const std::vector<unsigned>& frames = work.frames;
     const PixelBox size = job->picture();
     const std::uint64_t bytes = picture_bytes_at_once(*job, frames.size(), list.threads);
     std::string text = fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
                                    job->scene.name, counted(frames.size(), "frame"), size.width,
-                                   size.height, kept.size(), static_cast<double>(bytes) / 1e6);
+                                   size.height, work.kept.size(), static_cast<double>(bytes) / 1e6);
     Values files;
     for (const unsigned frame : frames) {
       if (!files.empty() && job->output.format().is_video()) break;  // one file of all frames
@@ -181,7 +183,7 @@ VerbOutput describe(const WorkList& list) {
                       {"width", size.width},
                       {"height", size.height},
                       {"files", std::move(files)},
-                      {"kept", kept.size()},
+                      {"kept", work.kept.size()},
                       {"picture_bytes", bytes}},
                std::move(text));
   }

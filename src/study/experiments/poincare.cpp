@@ -31,10 +31,11 @@ struct Section {
   std::size_t closed = 0;          // orbits
 
   explicit Section(BoundaryOrbits orbits);
-  // Stretches that an orbit asked for is cut into; fours of them tell the error.
+  // Stretches that an orbit asked for is cut into, in whole parts.
   std::size_t parts() const {
     const std::size_t orbits = watched.orbits.starts.size();
-    return watched.orbits.random ? 1 : (kStretches / 4 + orbits - 1) / orbits * 4;
+    constexpr std::size_t kParts = kStretches / kStretchesInPart;
+    return watched.orbits.random ? 1 : (kParts + orbits - 1) / orbits * kStretchesInPart;
   }
   void add(std::size_t orbit, std::span<const double> found);
 };

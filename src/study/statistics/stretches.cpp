@@ -22,14 +22,13 @@ double likeness(std::span<const Stretch> stretches, double ratio) {
 }  // namespace
 
 Measure measure_of_run(std::string name, std::span<const Stretch> stretches) {
-  constexpr std::size_t kInPart = 4;
   RatioSums sums, parts;
   Stretch part{0, 0};
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const auto& [x, y] = stretches[i];
     sums.add(x, y);
     part = {part.x + x, part.y + y};
-    if ((i + 1) % kInPart != 0 && i + 1 < stretches.size()) continue;
+    if ((i + 1) % kStretchesInPart != 0 && i + 1 < stretches.size()) continue;
     parts.add(part.x, part.y);
     part = {0, 0};
   }

@@ -11,6 +11,8 @@ struct Stretch {
 
 /// Stretches that a run is cut into where it is to tell its own error.
 inline constexpr std::size_t kStretches = 32;
+/// Of these in a part, as which they tell the error.
+inline constexpr std::size_t kStretchesInPart = 4;
 
 /// A mean over runs of which what follows each other is not independent, by batch means: stretches
 /// so long that they know little of each other. Neighbours are compared in 32 of them, the error is
