@@ -8,23 +8,68 @@
 namespace flatray {
 namespace {
 
-constexpr double kFirst_nm = 360, kLast_nm = 830;
-
-// One lobe of a fit: wider on one side than on the other.
-double lobe(double nm, double peak, double left, double right) {
-  const double z = (nm - peak) / (nm < peak ? left : right);
-  return portable::exp(-0.5 * z * z);
-}
-
 struct Xyz {
   double x = 0, y = 0, z = 0;
 };
 
+// The eye of the CIE's standard observer of 1931, in steps from the first to the last wavelength.
+constexpr double kFirst_nm = 360, kLast_nm = 830, kStep_nm = 5;
+constexpr std::size_t kSteps = 94;
+constexpr double kEye[3][kSteps + 1] = {
+    {0.0001299,      0.0002321,      0.0004149,      0.0007416,      0.001368,      0.002236,
+     0.004243,       0.00765,        0.01431,        0.02319,        0.04351,       0.07763,
+     0.13438,        0.21477,        0.2839,         0.3285,         0.34828,       0.34806,
+     0.3362,         0.3187,         0.2908,         0.2511,         0.19536,       0.1421,
+     0.09564,        0.05795,        0.03201,        0.0147,         0.0049,        0.0024,
+     0.0093,         0.0291,         0.06327,        0.1096,         0.1655,        0.22575,
+     0.2904,         0.3597,         0.43345,        0.51205,        0.5945,        0.6784,
+     0.7621,         0.8425,         0.9163,         0.9786,         1.0263,        1.0567,
+     1.0622,         1.0456,         1.0026,         0.9384,         0.85445,       0.7514,
+     0.6424,         0.5419,         0.4479,         0.3608,         0.2835,        0.2187,
+     0.1649,         0.1212,         0.0874,         0.0636,         0.04677,       0.0329,
+     0.0227,         0.01584,        0.01135916,     0.008110916,    0.005790346,   0.004109457,
+     0.002899327,    0.00204919,     0.001439971,    0.0009999493,   0.0006900786,  0.0004760213,
+     0.0003323011,   0.0002348261,   0.0001661505,   0.000117413,    0.00008307527, 0.00005870652,
+     0.00004150994,  0.00002935326,  0.00002067383,  0.00001455977,  0.00001025398, 0.000007221456,
+     0.000005085868, 0.000003581652, 0.000002522525, 0.000001776509, 0.000001251141},
+    {0.000003917,  0.000006965,  0.00001239,    0.00002202,    0.000039,
+     0.000064,     0.00012,      0.000217,      0.000396,      0.00064,
+     0.00121,      0.00218,      0.004,         0.0073,        0.0116,
+     0.01684,      0.023,        0.0298,        0.038,         0.048,
+     0.06,         0.0739,       0.09098,       0.1126,        0.13902,
+     0.1693,       0.20802,      0.2586,        0.323,         0.4073,
+     0.503,        0.6082,       0.71,          0.7932,        0.862,
+     0.91485,      0.954,        0.9803,        0.99495,       1,
+     0.995,        0.9786,       0.952,         0.9154,        0.87,
+     0.8163,       0.757,        0.6949,        0.631,         0.5668,
+     0.503,        0.4412,       0.381,         0.321,         0.265,
+     0.217,        0.175,        0.1382,        0.107,         0.0816,
+     0.061,        0.04458,      0.032,         0.0232,        0.017,
+     0.01192,      0.00821,      0.005723,      0.004102,      0.002929,
+     0.002091,     0.001484,     0.001047,      0.00074,       0.00052,
+     0.0003611,    0.0002492,    0.0001719,     0.00012,       0.0000848,
+     0.00006,      0.0000424,    0.00003,       0.0000212,     0.00001499,
+     0.0000106,    0.0000074657, 0.0000052578,  0.0000037029,  0.0000026078,
+     0.0000018366, 0.0000012934, 0.00000091093, 0.00000064153, 0.00000045181},
+    {0.0006061, 0.001086, 0.001946, 0.003486, 0.00645, 0.01055, 0.02005, 0.03621, 0.06785, 0.1102,
+     0.2074,    0.3713,   0.6456,   1.03905,  1.3856,  1.62296, 1.74706, 1.7826,  1.77211, 1.7441,
+     1.6692,    1.5281,   1.28764,  1.0419,   0.81295, 0.6162,  0.46518, 0.3533,  0.272,   0.2123,
+     0.1582,    0.1117,   0.07825,  0.05725,  0.04216, 0.02984, 0.0203,  0.0134,  0.00875, 0.00575,
+     0.0039,    0.00275,  0.0021,   0.0018,   0.00165, 0.0014,  0.0011,  0.001,   0.0008,  0.0006,
+     0.00034,   0.00024,  0.00019,  0.0001,   0.00005, 0.00003, 0.00002, 0.00001, 0,       0,
+     0,         0,        0,        0,        0,       0,       0,       0,       0,       0,
+     0,         0,        0,        0,        0,       0,       0,       0,       0,       0,
+     0,         0,        0,        0,        0,       0,       0,       0,       0,       0,
+     0,         0,        0,        0,        0}};
+
+// Linear between the steps.
 Xyz matching(double nm) {
-  return {1.056 * lobe(nm, 599.8, 37.9, 31.0) + 0.362 * lobe(nm, 442.0, 16.0, 26.7) -
-              0.065 * lobe(nm, 501.1, 20.4, 26.2),
-          0.821 * lobe(nm, 568.8, 46.9, 40.5) + 0.286 * lobe(nm, 530.9, 16.3, 31.1),
-          1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8)};
+  if (!(nm >= kFirst_nm && nm <= kLast_nm)) return {};
+  const double steps = (nm - kFirst_nm) / kStep_nm;
+  const auto step = std::min(static_cast<std::size_t>(steps), kSteps - 1);
+  const double part = steps - static_cast<double>(step);
+  const auto at = [&](const double* eye) { return eye[step] + part * (eye[step + 1] - eye[step]); };
+  return {at(kEye[0]), at(kEye[1]), at(kEye[2])};
 }
 
 // IEC 61966-2-1.
@@ -48,8 +93,7 @@ LightColour shown(LightColour colour) {
 }
 
 constexpr double kSecond_nm = 1.438776877e7;  // Planck's second constant, nm K
-constexpr double kStep_nm = 5, kGreen_nm = 560;
-constexpr int kPlanckSteps = static_cast<int>((kLast_nm - kFirst_nm) / kStep_nm);
+constexpr double kGreen_nm = 560;
 constexpr double kLeastKelvin = 800, kMostKelvin = 100'000;
 
 // The sum over steps of a blackbody's light, in parts of its radiance at kGreen_nm, so that nothing is
@@ -57,8 +101,8 @@ constexpr double kLeastKelvin = 800, kMostKelvin = 100'000;
 Xyz seen_of(double kelvin) {
   const double t = std::clamp(kelvin, kLeastKelvin, kMostKelvin);
   Xyz sum;
-  for (int step = 0; step <= kPlanckSteps; ++step) {
-    const double nm = kFirst_nm + step * kStep_nm;
+  for (std::size_t step = 0; step <= kSteps; ++step) {
+    const double nm = kFirst_nm + kStep_nm * static_cast<double>(step);
     const double ratio = kGreen_nm / nm, fifth = ratio * ratio * ratio * ratio * ratio;
     const double part = fifth * (1 - portable::exp(-kSecond_nm / (kGreen_nm * t))) /
                         (1 - portable::exp(-kSecond_nm / (nm * t))) *
@@ -71,12 +115,7 @@ Xyz seen_of(double kelvin) {
 
 }  // namespace
 
-// Towards both ends the eye tells hardly any hues apart, and the lobes have none that are right.
-LightColour colour_of_wavelength(double nm) {
-  constexpr double kFirstHue_nm = 420, kLastHue_nm = 645;
-  if (!(nm >= kFirst_nm && nm <= kLast_nm)) return {0, 0, 0};
-  return shown(srgb_of(matching(std::clamp(nm, kFirstHue_nm, kLastHue_nm))));
-}
+LightColour colour_of_wavelength(double nm) { return shown(srgb_of(matching(nm))); }
 
 LightColour part_of_wavelength(double nm) {
   static const LightColour scale = [] {

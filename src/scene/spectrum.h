@@ -11,10 +11,9 @@ using LightColour = std::array<double, 3>;
 /// What the eye sees of light of one wavelength, as near as sRGB shows it.
 ///
 /// Units   nm. Gives   the largest channel 1, none below 0: white is mixed in where the colour lies
-///         outside of sRGB; black below 360 nm and beyond 830. Hues below 420 and beyond 645 are those
-///         there, 0.03 of what the CIE's table has.
-/// Source  CIE 1931 as fitted by Wyman, Sloan and Shirley 2013, "Simple analytic approximations to
-///         the CIE XYZ color matching functions".
+///         outside of sRGB; black below 360 nm and beyond 830.
+/// Source  CIE 1931 standard observer (2 degrees), its table in steps of 5 nm (CIE 018:2019), linear
+///         in between.
 LightColour colour_of_wavelength(double nm);
 
 /// What the eye sees of a blackbody, from 800 K to 100 000 K; beyond these what it is there.

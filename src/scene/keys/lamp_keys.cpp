@@ -275,7 +275,14 @@ void expect_body(Builder& builder, ScattererId scatterer, ShapeId shape, const P
 }  // namespace
 
 void check_light(Builder& builder) {
+  constexpr int kMostSide = 65536;  // of a LightFilm
   const Scene& scene = builder.scene;
+  if (const Film& film = scene.film;
+      !scene.lamps.empty() && std::max(film.width, film.height) > kMostSide)
+    builder.in.problem(
+        scene.lamps.front().where,
+        fmt::format("the light of lamps is not kept on a film of {} x {}", film.width, film.height),
+        fmt::format("let no side of film.size be above {}, or leave the lamps out", kMostSide));
   for (const Entity& entity : scene.entities)
     expect_body(builder, entity.scatterer, entity.shape, entity.where);
   for (const Chamber& chamber : scene.chambers) {

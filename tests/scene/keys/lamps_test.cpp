@@ -118,6 +118,8 @@ TEST(Lamps, SayWhatIsWrong) {
                  "lamp.beam.width goes below 0");
   expect_problem(with_lamp("source = { point = { width = 1 } }"), "it has no keys");
   expect_problem(with_lamp("source = { point = {} }\ncolour = '#ff000080'"), "has an opacity");
+  expect_problem("film = { size = [1, 65537] }\n" + with_lamp("source = { point = {} }"),
+                 "light of lamps is not kept on a film of 1 x 65537");
   expect_problem("flatray = 1\n[light]\nrays = 0\n", "light.rays");
   expect_problem("flatray = 1\n[light]\nexposure = 0\n", "light.exposure is 0, not above 0");
 }

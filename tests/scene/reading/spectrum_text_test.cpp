@@ -27,16 +27,15 @@ void expect_near(const LightColour& a, const LightColour& b, double error) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], error) << c;
 }
 
-// X = Y = Z, seen as sRGB: its matrix's sums of rows. The fits of the eye's curves are off by some
-// thousandths of their areas.
+// X = Y = Z, seen as sRGB: its matrix's sums of rows.
 TEST(SpectrumText, OfEqualEnergyIsThatWhite) {
   const double red = 3.2406 - 1.5372 - 0.4986;
   expect_near(colour("380,1\n780,1\n"),
-              {1, (-0.9689 + 1.8758 + 0.0415) / red, (0.0557 - 0.2040 + 1.0570) / red}, 0.01);
+              {1, (-0.9689 + 1.8758 + 0.0415) / red, (0.0557 - 0.2040 + 1.0570) / red}, 1e-3);
 }
 
 TEST(SpectrumText, OfALineIsThatOfItsWavelength) {
-  for (const double nm : {435.8, 480.0, 520.0, 546.1, 589.3, 632.8})
+  for (const double nm : {404.7, 435.8, 480.0, 520.0, 546.1, 589.3, 632.8, 670.8, 700.0, 766.5})
     expect_near(colour(number_text(nm - 0.1) + " 0\n" + number_text(nm) + " 5\n" +
                        number_text(nm + 0.1) + " 0\n"),
                 colour_of_wavelength(nm), 1e-3);
@@ -51,6 +50,17 @@ TEST(SpectrumText, OfPlancksLawIsThatOfTheTemperature) {
               number_text(std::pow(nm / 560, -5) / std::expm1(kSecond_nm / (nm * kelvin))) + '\n';
     expect_near(colour(rows), colour_of_temperature(kelvin), 1e-3);
   }
+}
+
+// The CIE's table at single wavelengths, and its illuminant A: x = 0.4476, y = 0.4074.
+TEST(SpectrumText, HasTheEyeOfTheStandardObserver) {
+  EXPECT_EQ(luminance_of_wavelength(555), 1);
+  EXPECT_EQ(luminance_of_wavelength(510), 0.503);
+  EXPECT_EQ(luminance_of_wavelength(700), 0.004102);
+  EXPECT_EQ(luminance_of_wavelength(359), 0);
+  EXPECT_EQ(luminance_of_wavelength(831), 0);
+  expect_near(colour_of_wavelength(700), {1, 0, 0.0919}, 1e-4);
+  expect_near(colour_of_temperature(2856), {1, 0.4478, 0.1264}, 1e-3);
 }
 
 TEST(SpectrumText, TakesWhatInstrumentsWrite) {
