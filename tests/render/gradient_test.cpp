@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "image/srgb.h"
+#include "oracle/families.h"
 #include "render/coverage_families.h"
 #include "render/frame.h"
 
@@ -76,6 +77,45 @@ TEST(Layers, WhatLiesInNoLayerIsHiddenByNoFadedItem) {
   const Image whole = render_image(over_white({below, a, b}), all);
   EXPECT_EQ(pruned.pixels, whole.pixels);
   EXPECT_EQ(pruned.at(3, 3)[1], srgb_from_linear(0.5F));
+}
+
+// Items that cover all of a pixel or some of its quarters from left to right: its light is the mean of
+// four pictures, in each of which the items of one quarter cover all.
+TEST(Layers, AStackIsTheMeanOfWhatItsQuartersShow) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    oracle::Draw draw(seed, 0, 0);
+    const int count = draw.whole(2, 13);
+    std::vector<DrawItem> stack;
+    std::array<std::vector<DrawItem>, 4> quarters;
+    std::uint32_t layer = 0;
+    for (int i = 0; i < count; ++i) {
+      const int from = draw.whole(0, 4), to = draw.whole(from + 1, 5);
+      const bool whole = draw.whole(0, 2) == 1, opaque = draw.whole(0, 10) == 0;
+      std::array<float, 4> colour{};
+      for (float& channel : colour) channel = static_cast<float>(draw.unit());
+      if (draw.whole(0, 4) == 0) ++layer;
+      const auto item = [&](double low, double high) {
+        DrawItem made{coverage_check::box_path(low, 0, high, 8),
+                      {colour[0], colour[1], colour[2], opaque ? 1 : colour[3]}};
+        made.layer = layer % 2 == 0 ? 0 : layer;
+        made.opacity = made.layer == 0 ? 1 : 0.5F;
+        return made;
+      };
+      stack.push_back(whole ? item(0, 8) : item(4 + 0.25 * from, 4 + 0.25 * to));
+      for (int quarter = 0; quarter < 4; ++quarter)
+        if (whole || (from <= quarter && quarter < to))
+          quarters[static_cast<std::size_t>(quarter)].push_back(item(0, 8));
+    }
+    const auto light = [](std::vector<DrawItem> items, std::size_t channel) {
+      const LinearImage picture = render_linear(over_white(std::move(items)), {});
+      return static_cast<double>(picture.pixels[3 * (8 * 4 + 4) + channel]);
+    };
+    for (std::size_t c = 0; c < 3; ++c) {
+      double mean = 0;
+      for (const std::vector<DrawItem>& items : quarters) mean += 0.25 * light(items, c);
+      EXPECT_NEAR(light(stack, c), mean, 0x1p-20) << seed;
+    }
+  }
 }
 
 }  // namespace

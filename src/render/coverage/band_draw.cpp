@@ -78,9 +78,7 @@ void BandScan::draw_shining(int begin, int end) {
 
 void BandScan::draw_run(int begin, int end) {
   const Light light = joint_light(begin, kNone, nullptr);
-  if (std::none_of(seen_.items.begin(), seen_.items.end(),
-                   [](const Seen& one) { return one.look->varies; }))
-    return sink_->run(row_, begin, end, light);
+  if (!varies_) return sink_->run(row_, begin, end, light);
   sink_->pixel(row_, begin, light);
   for (int x = begin + 1; x < end; ++x) sink_->pixel(row_, x, joint_light(x, kNone, nullptr));
 }
@@ -120,7 +118,7 @@ Light BandScan::light_of(const Part& part, const Light& below) const {
 
 Light BandScan::joint_light(int column, std::uint32_t part, const ItemLook* below) {
   see(column, part, below);
-  if (shown_.empty()) return seen_.composed(background_);
+  if (shown_.empty()) return seen_.composed();
   if (rays_ > 0) return mean_of_rays();
   if (shown_.size() == 1 &&
       (seen_.items[shown_[0].seen].look->simple || shown_[0].part->count == 1))
@@ -130,38 +128,38 @@ Light BandScan::joint_light(int column, std::uint32_t part, const ItemLook* belo
   for (auto one = shown_.rbegin(); one != shown_.rend(); ++one)
     for (std::uint32_t i = 0; i < one->part->count; ++i)
       pieces_of_.emplace_back(pieces_[one->part->first + i], one->seen);
-  return area_.mean(pieces_of_, seen_, row_, background_);
+  return area_.mean(pieces_of_, seen_, row_);
 }
 
 // What may be seen in a pixel, from the lowest item up.
 void BandScan::see(int column, std::uint32_t part, const ItemLook* below) {
-  std::vector<Seen>& items = seen_.items;
-  items.clear();
   shown_.clear();
-  const auto add = [&](const ItemLook& look, int winding) {
-    Seen& one = items.emplace_back();  // written in place: a copy of what was just written waits
-    one.look = &look, one.winding = winding;
-    one.light = look.varies ? look.at(column, row_, list_.width) : look.light;
+  seen_.begin(below == nullptr ? background_ : below->light);
+  varies_ = false;
+  const auto light_of = [&](const ItemLook& look) {
+    varies_ |= look.varies;
+    return look.varies ? look.at(column, row_, list_.width) : look.light;
   };
-  if (below != nullptr) add(*below, 1);
   auto cover = active_.begin();
   while (cover != active_.end() || part != kNone) {
     const bool is_cover =
         part == kNone || (cover != active_.end() && cover->item < parts_[part].item);
-    const bool all = is_cover && cover->rays == all_rays_;
-    if (all && looks_[cover->item].opaque) items.clear(), shown_.clear();
-    const auto seen = static_cast<std::uint32_t>(items.size());
-    if (is_cover) {
-      if (!all) shown_.push_back({seen, nullptr, cover->rays});
-      add(looks_[cover->item], all ? 1 : 0);
-      ++cover;
+    const ItemLook& look = looks_[is_cover ? cover->item : parts_[part].item];
+    if (is_cover && cover->rays == all_rays_) {
+      if (look.opaque) shown_.clear();
+      seen_.add_whole(look, light_of(look));
+    } else if (is_cover) {
+      shown_.push_back({seen_.add_part(look, light_of(look), 0), nullptr, cover->rays});
     } else {
       const Wound& wound = parts_[part].wound;
       const bool every = wound.rays == all_rays_;
-      shown_.push_back({seen, &parts_[part], every ? 0 : wound.rays});
-      add(looks_[parts_[part].item], every ? wound.winding : 0);
-      part = parts_[part].above;
+      shown_.push_back({seen_.add_part(look, light_of(look), every ? wound.winding : 0),
+                        &parts_[part], every ? 0 : wound.rays});
     }
+    if (is_cover)
+      ++cover;
+    else
+      part = parts_[part].above;
   }
   seen_.place_all();
 }
@@ -171,15 +169,14 @@ Light BandScan::part_covered(const Shown& one) {
   const double share = share_of(*seen_.items[one.seen].look, part.wound.winding,
                                 std::span(pieces_).subspan(part.first, part.count));
   seen_.set(one.seen, true);
-  const Light with = seen_.composed(background_);
+  const Light with = seen_.composed();
   seen_.set(one.seen, false);
-  return mixed(with, seen_.composed(background_), share);
+  return mixed(with, seen_.composed(), share);
 }
 
 // Of opaque items, each of them on one side of a few straight edges.
 std::optional<Light> BandScan::light_of_rest() {
-  const std::size_t whole = seen_.items.size() - shown_.size();
-  if (whole > 1 || shown_.front().seen != whole) return {};
+  if (seen_.items.size() != shown_.size()) return {};
   std::size_t pieces = 0;
   for (const Seen& one : seen_.items)
     if (!one.look->opaque) return {};
@@ -210,7 +207,7 @@ std::optional<Light> BandScan::light_of_rest() {
     if (!area) return {};
     sum.add(*area, seen_.items[one->seen].light);
   }
-  sum.add(rest_.area(), whole > 0 ? seen_.items.front().light : background_);
+  sum.add(rest_.area(), seen_.ground);
   return sum.over(1);
 }
 
@@ -246,15 +243,15 @@ Light BandScan::mean_of_rays() {
     const auto first = next;
     double from = 0;
     for (; is_of(ray); ++next) {
-      if (next->x > from) sum.add(next->x - from, seen_.composed(background_));
+      if (next->x > from) sum.add(next->x - from, seen_.composed());
       from = next->x;
       seen_.change(next->seen, next->direction);
     }
     if (first != next) {
-      sum.add(1 - from, seen_.composed(background_));
+      sum.add(1 - from, seen_.composed());
       for (auto one = first; one != next; ++one) seen_.change(one->seen, -one->direction);
     } else {
-      if (!whole) whole = seen_.composed(background_);
+      if (!whole) whole = seen_.composed();
       sum.add(1, *whole);
     }
   }

@@ -150,6 +150,7 @@ class BandScan {
   std::vector<Cover> active_;  ///< at the pixel that is drawn, from the lowest up
   std::vector<Shown> shown_;   ///< in it, from the lowest up
   SeenItems seen_;
+  bool varies_ = false;  ///< one of them, from pixel to pixel
   std::vector<RayChange> changes_;
   std::vector<PieceOf> pieces_of_;
   PixelArea area_;

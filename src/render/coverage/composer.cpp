@@ -46,6 +46,26 @@ Light ItemLook::at(int x, int y, int film_width) const {
   return {rgb[0], rgb[1], rgb[2], 0};
 }
 
+std::uint32_t SeenItems::add_part(const ItemLook& look, const Light& light, int winding) {
+  items.push_back({&look, winding, light});
+  on_whole_ = false;
+  return static_cast<std::uint32_t>(items.size() - 1);
+}
+
+void SeenItems::add_whole(const ItemLook& look, const Light& light) {
+  const bool blends = look.layer == 0 && !look.adds;
+  if (look.opaque) {
+    begin(light);
+  } else if (items.empty() && look.layer == 0) {
+    ground = laid({&look, 1, light}, ground);
+  } else if (blends && on_whole_) {
+    items.back().light = over(light, items.back().light);
+  } else {
+    items.push_back({&look, 1, light});
+    on_whole_ = blends;
+  }
+}
+
 void SeenItems::place_all() {
   const std::size_t words = (items.size() + 63) / 64;
   inside_.resize(words), opaque_.resize(words);
@@ -75,7 +95,7 @@ std::size_t SeenItems::uppermost_opaque() const {
   return kNone;
 }
 
-Light SeenItems::composed(const Light& background) {
+Light SeenItems::composed() {
   if (inside_.size() == 1) {  // most often the uppermost is opaque
     const std::uint64_t opaque = inside_[0] & opaque_[0];
     if (opaque > (inside_[0] & ~opaque)) {
@@ -85,7 +105,7 @@ Light SeenItems::composed(const Light& background) {
   }
   const std::size_t lowest = uppermost_opaque();
   lowest_ = lowest == kNone ? 0 : lowest;
-  Light light = lowest == kNone ? background : items[lowest].light;
+  Light light = lowest == kNone ? ground : items[lowest].light;
   std::size_t i = next_inside(lowest + 1);  // after none comes the first
   while (i != kNone) {
     const ItemLook& first = *items[i].look;

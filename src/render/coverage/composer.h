@@ -55,7 +55,15 @@ struct Seen {
 class SeenItems {
  public:
   std::vector<Seen> items;
+  Light ground{};  ///< below them all
 
+  /// Forgets all items.
+  void begin(const Light& background) { items.clear(), ground = background, on_whole_ = false; }
+  /// Adds an item that covers a part of the pixel, above all others. Gives its number.
+  std::uint32_t add_part(const ItemLook& look, const Light& light, int winding);
+  /// Adds one that covers all of the pixel. Those that follow one another are kept as one light, as
+  /// part of the ground where nothing else is below them.
+  void add_whole(const ItemLook& look, const Light& light);
   /// After `items` are changed.
   void place_all();
   void set(std::size_t i, bool inside) {
@@ -71,15 +79,16 @@ class SeenItems {
     set(i, is);
     return i >= lowest_;
   }
-  /// The light of all that are inside, over a background. Those of one layer are first laid on
+  /// The light of all that are inside, over the ground. Those of one layer are first laid on
   /// nothing, and then faded as one.
-  Light composed(const Light& background);
+  Light composed();
 
  private:
   static constexpr std::size_t kNone = ~std::size_t{0};
   std::size_t next_inside(std::size_t from) const;
   std::size_t uppermost_opaque() const;
 
+  bool on_whole_ = false;  ///< the uppermost covers all, and others like it may be laid on it
   std::vector<std::uint64_t> inside_, opaque_;
   std::size_t lowest_ = 0;  ///< that showed when composed() looked
 };

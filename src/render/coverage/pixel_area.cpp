@@ -174,7 +174,7 @@ PixelArea::Stretch PixelArea::strands_to_light() const {
 }
 
 // Where several strands lie in one place, what is between them has no area.
-void PixelArea::light_strands(SeenItems& seen, const Stretch& stretch, const Light& background) {
+void PixelArea::light_strands(SeenItems& seen, const Stretch& stretch) {
   lit_.resize(strands_.size());
   Light light = left_;
   bool changed = true;
@@ -183,7 +183,7 @@ void PixelArea::light_strands(SeenItems& seen, const Stretch& stretch, const Lig
     changed = seen.change(of->seen, of->direction) || changed;
     if (i < stretch.begin) continue;
     if (changed && !(crowded_ && i + 1 < stretch.end && strands_[i + 1].x == x)) {
-      light = seen.composed(background);
+      light = seen.composed();
       changed = false;
     }
     lit_[i] = {light, of->seen, of->direction};
@@ -203,8 +203,7 @@ void PixelArea::add_slab(double height) {
     add(i + 1 < strands_.size() ? strands_[i + 1].x : 1, lit_[i].light);
 }
 
-Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
-                      const Light& background) {
+Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row) {
   const auto places = static_cast<double>(2 * crowd_);
   crowded_ = is_crowd(pieces, crowd_);
   find_lefts(pieces);
@@ -228,11 +227,11 @@ Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
     if (crowded_ && strands_.size() * seen.items.size() > 4 * crowd_ * crowd_)
       for (Strand& strand : strands_) strand.x = std::floor(strand.x * places) / places;
     if (afresh) {
-      left_ = seen.composed(background);
+      left_ = seen.composed();
       lit_.clear();
       afresh = false;
     }
-    light_strands(seen, strands_to_light(), background);
+    light_strands(seen, strands_to_light());
     add_slab(bottom - top);
   }
   return sum_.over(1);

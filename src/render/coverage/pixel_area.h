@@ -40,7 +40,7 @@ class PixelArea {
 
   /// Needs   the pieces, whose order may change; `seen` with the winding numbers just inside the
   ///         pixel's upper left corner.
-  Light mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row, const Light& background);
+  Light mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row);
 
  private:
   struct Strand {
@@ -65,7 +65,7 @@ class PixelArea {
   void find_cuts(std::span<const PieceOf> pieces, int row);
   void find_strands(std::span<const PieceOf> pieces, double top, double bottom, int row);
   Stretch strands_to_light() const;
-  void light_strands(SeenItems& seen, const Stretch& stretch, const Light& background);
+  void light_strands(SeenItems& seen, const Stretch& stretch);
   void add_slab(double height);
 
   std::vector<double> cuts_;
