@@ -30,8 +30,10 @@ struct Options : Arguments {
 
   void rows(OptionTable& row) {
     row("-o, --output FOLDER", "where its files go", output);
-    row("--budget SECONDS", "of processor time for everything, the references included", budget,
-        time_up_to(1e6));
+    row("--budget SECONDS",
+        "of processor time for everything, the references included; one setting is measured "
+        "whatever it takes",
+        budget, time_up_to(1e6));
     row("--choice NAME,NAME", "only these choices", choices, names_among("choice", choices),
         &choice_names);
     row("--profile OUT.json", "also write what flatray render --profile chooses from", profile);

@@ -42,7 +42,7 @@ struct Rounds {
   double each = 0;
 };
 
-// What is below the doubt of the reference is not told from it.
+// An error below the doubt of the reference may be any up to that doubt.
 Outcome as_far_as_known(Outcome outcome, double doubt) {
   if (!(outcome.error < doubt)) return outcome;
   for (std::optional<double>& part : outcome.parts)
@@ -53,12 +53,13 @@ Outcome as_far_as_known(Outcome outcome, double doubt) {
 }
 
 // The first round: which settings there is time for, what they come to, and how long they took.
-Rounds first_round(const ChoiceSettings& made, const Budget& budget, ChoiceReport& report) {
+Rounds first_round(const ChoiceSettings& made, const Budget& budget, bool at_least_one,
+                   ChoiceReport& report) {
   Rounds round;
   double per_n = 0;
   for (const Setting& setting : made.settings) {
     const double likely = kRounds * per_n * setting.n + (kRounds - 1) * round.each;
-    if (!report.points.empty() && !budget.allows(likely)) {
+    if (!(at_least_one && report.points.empty()) && !budget.allows(likely)) {
       report.cut += (report.cut.empty() ? "" : ", ") + setting.words;
       continue;
     }
@@ -205,6 +206,8 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
   report.question = choice.question;
   report.kind = choice.kind;
   report.left_out = choice.left_out(context.scene);
+  if (report.left_out.empty() && context.seconds <= 0 && !context.at_least_one)
+    report.left_out = "no time of the budget is left";
   if (!report.left_out.empty()) return report;
   const Budget budget(context.seconds);
   const Result<ChoiceSettings> made = choice.settings(context);
@@ -214,7 +217,9 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
   }
   report.reference_seconds = budget.used();
   static_cast<ChoiceFacts&>(report) = *made;
-  Rounds rounds = first_round(*made, budget, report);
+  Rounds rounds = first_round(*made, budget, context.at_least_one, report);
+  if (report.points.empty() && report.missing.empty())
+    report.left_out = "its reference took the time of the budget that was left";
   more_rounds(rounds, budget, report);
   if (report.one_question) mark_best(report.points);
   report.orders = fit_orders(*made, report.points);
@@ -230,6 +235,8 @@ std::vector<ChoiceReport> measure_choices(std::span<const Choice* const> choices
     AccuracyContext part = context;
     const double left = context.seconds - (processor_seconds() - start);
     part.seconds = std::max(left, 0.0) / static_cast<double>(i + 1);
+    part.at_least_one = std::ranges::all_of(
+        reports, [](const ChoiceReport& report) { return report.points.empty(); });
     reports[i] = measure_choice(*choices[i], part);
   }
   return reports;

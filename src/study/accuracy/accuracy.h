@@ -129,7 +129,8 @@ struct AccuracyContext {
   const Scene& scene;
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  double seconds = 10;  ///< of processor time that a choice may take, its reference among it
+  double seconds = 10;       ///< of processor time that a choice may take, its reference among it
+  bool at_least_one = true;  ///< whether the first setting is measured whatever it takes
 };
 
 /// Seconds of a budget that a reference may take.
@@ -176,11 +177,12 @@ std::vector<const Choice*> choices();
 
 /// Error against run time of one choice: its reference, then every setting once, as long as three
 /// rounds are likely to stay within the budget, time growing like n; then in turns, so that what
-/// disturbs the machine disturbs all of them, as long as a round more stays within it.
+/// disturbs the machine disturbs all of them, as long as a round more stays within it. Where the
+/// reference takes all of the budget no setting is measured, but for the first with `at_least_one`.
 ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context);
 
 /// Several choices within the budget of the context together, the last one first: each has an equal
-/// part of what those before it have left.
+/// part of what those before it have left. One setting, the first, is measured whatever it takes.
 std::vector<ChoiceReport> measure_choices(std::span<const Choice* const> choices,
                                           const AccuracyContext& context);
 

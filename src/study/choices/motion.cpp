@@ -38,11 +38,11 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   FLATRAY_TRY(scene, pair_scene(context));
   ChoiceSettings made = pair_settings(**scene);
   made.grows = "instants a frame";
-  made.settings.push_back(
-      {"all instants", 0,
-       [all = *scene] { all->tell(find_meetings(all->timeline, all->frames())); },
-       judged_pairs(*scene)});
-  for (int samples = 1; samples <= 64; samples *= 2)
+  made.settings = {instants(*scene, 1),
+                   {"all instants", 0,
+                    [all = *scene] { all->tell(find_meetings(all->timeline, all->frames())); },
+                    judged_pairs(*scene)}};
+  for (int samples = 2; samples <= 64; samples *= 2)
     made.settings.push_back(instants(*scene, samples));
   return made;
 }

@@ -2,6 +2,7 @@
 // What is told of an error that the reference leaves in doubt.
 #include <gtest/gtest.h>
 
+#include "base/processor_time.h"
 #include "scene/scene_text.h"
 #include "study/accuracy/accuracy_report.h"
 #include "study/accuracy_scenes.h"
@@ -70,6 +71,33 @@ TEST(Accuracy, ASettingThatComesToNothingIsNamedWithItsReason) {
   EXPECT_EQ(report.missing[0].words + ": " + report.missing[0].why, "boxes: too many");
 }
 
+Result<ChoiceSettings> long_reference(const AccuracyContext& context) {
+  for (const double end = processor_seconds() + 0.05; processor_seconds() < end;) {
+  }
+  return doubtful(context);
+}
+
+TEST(Accuracy, WhatTheBudgetHasNoTimeForIsLeftOutButOneSetting) {
+  const auto choice = [](const char* name, auto* settings) {
+    return Choice{name, "?", ErrorKind::truncation, [](const Scene&) { return std::string(); },
+                  settings};
+  };
+  const Choice all[] = {choice("late", &doubtful), choice("long", &long_reference),
+                        choice("early", &doubtful)};
+  const Choice* turns[] = {&all[0], &all[1], &all[2]};
+  const Scene scene;
+  const auto reports = measure_choices(turns, {scene, 1, 1, 0.05});
+  EXPECT_EQ(reports[2].left_out, "");
+  EXPECT_GE(reports[2].points.size(), 1U);
+  EXPECT_EQ(reports[1].left_out, "its reference took the time of the budget that was left");
+  EXPECT_TRUE(reports[1].points.empty());
+  EXPECT_EQ(reports[0].left_out, "no time of the budget is left");
+  EXPECT_EQ(reports[0].seconds, 0);
+  const auto alone = measure_choices(std::span(turns).first(2), {scene, 1, 1, 0x1p-30});
+  EXPECT_EQ(alone[1].points.size(), 1U);
+  EXPECT_EQ(alone[0].left_out, "no time of the budget is left");
+}
+
 TEST(Accuracy, PairsThatAreNotToldAreNotJudged) {
   const Scene scene =
       loaded("flatray = 1\nfps = 1\nframes = 2\n" + std::string(testing::kBullet)).scene;
@@ -88,7 +116,8 @@ TEST(Accuracy, OneOfManyPairsTellsNothing) {
     ASSERT_TRUE(testing::has(report.cut, "reference for 2 pairs more"));
     for (const AccuracyPoint& one : report.points) {
       EXPECT_GT(one.outcome.half, 0.2) << one.setting;
-      EXPECT_EQ(advice(report, one), "") << one.setting;
+      // An error of 1 is known to within itself.
+      EXPECT_EQ(advice(report, one), one.outcome.error == 1 ? "best under 1 s" : "") << one.setting;
     }
   }
 }
