@@ -168,6 +168,14 @@ says err "0 frames written, 3 kept"
 errors --resume
 says err "0 frames written, 3 kept"
 run 0 verify e
+errors --error-image 'e/error_####.pfm' --force
+run 0 verify e
+truncate -s -1 e/error_0002.pfm
+rm e/error_0003.pfm
+run 1 verify e
+says out "e/error_0002.pfm: differs from its record"
+says out "e/error_0003.pfm: is missing"
+says out "2 things not as recorded"
 
 # Lost light is told.
 sed 's/bounces = 2, //; s/^material.*/material = "mirror"/; s/^at = .*/at = [0.5, 0]/' lamp.toml > shut.toml

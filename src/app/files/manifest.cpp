@@ -36,6 +36,7 @@ JsonValue as_value(const FrameRecord& record) {
                 {"scene", record.scene},   {"seed", record.seed},     {"backend", record.backend}};
   if (record.light) fields.emplace_back("light", as_value(*record.light));
   if (!record.error_image.empty()) fields.emplace_back("error_image", record.error_image);
+  if (!record.error_file.empty()) fields.emplace_back("error_file", record.error_file);
   return fields;
 }
 
@@ -90,9 +91,10 @@ std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
   if (value->find("backend") != nullptr) record.backend = value->text_of("backend");
   if (const JsonValue* light = value->find("light")) record.light = light_in(*light);
   record.error_image = value->text_of("error_image");
+  record.error_file = value->text_of("error_file");
   // A name with folders in it would lead elsewhere.
   if (record.frame == 0 || record.bytes.empty() || record.file.empty() ||
-      record.file.find('/') != std::string::npos)
+      (record.file + record.error_file).find('/') != std::string::npos)
     return std::nullopt;
   return record;
 }
@@ -132,6 +134,11 @@ bool is_whole(const FrameRecord& record, const fs::path& folder) {
   const Result<Image> image = format->read_picture(content, record.file);
   return image && image->width == record.width && image->height == record.height &&
          pixel_hash(*image) == record.pixels;
+}
+
+bool is_error_image(const FrameRecord& record, const fs::path& path) {
+  const Result<std::string> bytes = read_regular_file(path);
+  return bytes && Hash().add(std::as_bytes(std::span(*bytes))).hex() == record.error_image;
 }
 
 }  // namespace flatray

@@ -38,6 +38,7 @@ struct FrameRecord {
   std::string backend = "software";    ///< what drew it, with all its pixels depend on
   std::optional<LightRecord> light{};  ///< of scenes with lamps
   std::string error_image{};           ///< hash of its file, where one was asked for
+  std::string error_file{};            ///< name of that, where it is beside the manifest
   bool operator==(const FrameRecord&) const = default;
 };
 
@@ -60,5 +61,7 @@ Records records_of(std::string_view text);
 /// Whether the file a record speaks of is there, whole, and what the record says: its bytes hash
 /// alike, and a PNG decodes to its pixels.
 bool is_whole(const FrameRecord& record, const std::filesystem::path& folder);
+/// Whether the picture of its error is at a path, whole.
+bool is_error_image(const FrameRecord& record, const std::filesystem::path& path);
 
 }  // namespace flatray

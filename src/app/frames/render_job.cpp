@@ -32,8 +32,8 @@ std::array<fs::path, 2> lists_of(const RenderJob& job) {
   return {job.manifest(), timings_path(job.folder(), job.shard)};
 }
 
-// Takes the records of frames to be made out of all manifests, and those that --resume keeps, also from
-// others, into that of the job.
+// Removes the records of frames to be made from all manifests, and adds those that --resume keeps to the
+// manifest of the job.
 Result<void> drop_records(const Work& work, const Outputs& outputs) {
   const RenderJob& job = *work.job;
   for (const fs::path& list : lists_of(job))
@@ -100,8 +100,8 @@ class FrameMaker {
     return std::clamp<std::size_t>(count / (kRunsAThread * spread.frames_at_once), 1, kLongest);
   }
 
-  // Names and lines of a run are flushed together: what a machine that stops then loses of them,
-  // --resume makes again. The bytes of a picture are flushed before it has its name.
+  // Names of pictures and lines of the manifest are flushed once a run. Where the machine stops before,
+  // --resume makes again what is lost. The bytes of a picture are flushed before it has its name.
   void make_run(std::size_t begin, JobResult& made) {
     FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
     write_run(begin, encoder, made);
@@ -141,11 +141,16 @@ class FrameMaker {
     FrameRecord record = (*made)->record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
+    if (const auto& image = job_.light.error_image)
+      if (const fs::path path = image->path(job_.name, frame);
+          folder_of(path).lexically_normal() == job_.folder().lexically_normal())
+        record.error_file = path.filename();
     FLATRAY_TRY(written, write(**made, record));
     return record;
   }
 
-  // Makes the records true, once: what cannot be drawn before changes none.
+  // Drops the records of frames to be made, once, when the first frame is about to be written: a frame that
+  // cannot be drawn changes no record.
   Result<void> begin() {
     std::call_once(once_, [this] {
       if (hold_ != nullptr)
@@ -155,8 +160,8 @@ class FrameMaker {
     return begun_;
   }
 
-  // The picture of the error takes its name first: wherever a picture is there, that of its error is. A single
-  // picture with a name of its own needs no list beside it.
+  // The picture of the error takes its name first, so that it is there wherever its picture is. Only frames of a
+  // sequence have lines in a manifest.
   Result<void> write(const Encoded& made, const FrameRecord& record) {
     std::vector<NewFile> files;
     const auto add = [&](const fs::path& path, std::span<const std::byte> bytes) -> Result<void> {
@@ -201,9 +206,8 @@ class FrameMaker {
 // job asks for one.
 bool is_kept(const RenderJob& job, const FrameRecord& record) {
   if (!is_whole(record, job.folder())) return false;
-  if (!job.light.error_image) return true;
-  const auto there = read_regular_file(job.light.error_image->path(job.name, record.frame));
-  return there && Hash().add(std::as_bytes(std::span(*there))).hex() == record.error_image;
+  const auto& image = job.light.error_image;
+  return !image || is_error_image(record, image->path(job.name, record.frame));
 }
 
 // The lines of all manifests in a folder. `replaceable` may be unreadable: --force replaces it.
@@ -281,9 +285,10 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
     FLATRAY_TRY(text, text_of_manifests(job.folder(), keeps ? fs::path() : job.manifest()));
     each_line(*text, [&](std::string_view line) {
       const auto record = parse_manifest_line(line);
-      if (record) work.planned_on.emplace(line);
-      if (keeps && record && job.makes(*record) && record->scene == own)
-        candidates.push_back(*record);
+      if (!record) return;
+      work.planned_on.emplace(line);
+      work.recorded[record->file] = *record;
+      if (keeps && job.makes(*record) && record->scene == own) candidates.push_back(*record);
     });
   }
   std::vector<char> whole(candidates.size());
@@ -299,13 +304,7 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
 Result<void> expect_place(const Work& work, const Outputs& outputs, Diagnostics& warnings) {
   const RenderJob& job = *work.job;
   if (job.output.is_stdout() || work.frames.empty()) return {};
-  Records recorded;
-  if (job.output.has_frame()) {
-    for (const fs::path& list : lists_of(job))
-      if (auto free = outputs.allow(list, kFirstName); !free) return free;
-    FLATRAY_TRY(lines, text_of_manifests(job.folder(), job.manifest()));
-    recorded = records_of(*lines);
-  }
+  Records recorded = work.recorded;
   if (const auto& image = job.light.error_image)
     for (const unsigned frame : work.frames) {
       const auto record = recorded.find(job.path(frame).filename());
@@ -320,6 +319,9 @@ Result<void> expect_place(const Work& work, const Outputs& outputs, Diagnostics&
     if (auto free = outputs.allow(path, job.output.format().beginning, ours); !free) return free;
     if (job.output.format().is_video()) break;  // one file of all frames
   }
+  if (job.output.has_frame())
+    for (const fs::path& list : lists_of(job))
+      if (auto free = outputs.allow(list, kFirstName); !free) return free;
   if (auto mixed = mixture(job, recorded)) warnings.push_back(std::move(*mixed));
   return expect_films(job, work.frames);
 }

@@ -75,6 +75,7 @@ struct Work {
   std::vector<unsigned> frames;  ///< still to make
   /// Lines of manifests as it was planned. Those that runs of the same setting add since are true.
   std::set<std::string> planned_on{};
+  Records recorded{};  ///< the same, as records
 };
 /// Reads records and pictures, and writes nothing.
 Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads);

@@ -113,10 +113,10 @@ class FolderCheck {
     std::size_t number = 0;
     each_line(*text, [&](std::string_view line) {
       ++number;
-      if (const auto record = parse_manifest_line(line))
-        records_[record->file].push_back(*record);
-      else
-        tell(path, fmt::format("line {} is no record", number));
+      const auto record = parse_manifest_line(line);
+      if (!record) return tell(path, fmt::format("line {} is no record", number));
+      records_[record->file].push_back(*record);
+      if (!record->error_file.empty()) errors_[record->error_file].push_back(*record);
     });
     check_end(path, *text);
   }
@@ -152,17 +152,19 @@ class FolderCheck {
       else  // a block a line, but the first
         rows_ += static_cast<std::size_t>(std::max(std::ranges::count(*text, '\n') - 1, {}));
     } else if (is_picture(path)) {
-      if (!records_.contains(name)) pictures_.push_back(path);
+      if (!records_.contains(name) && !errors_.contains(name)) pictures_.push_back(path);
     }
   }
 
-  void check_pictures() {
+  using RecordsByFile = std::map<std::string, std::vector<FrameRecord>>;
+
+  // `is_right(record)` of one of the records of each file.
+  template <class IsRight>
+  void check_recorded(const RecordsByFile& recorded, const IsRight& is_right) {
     std::vector<std::pair<std::string, bool>> whole;
-    for (const auto& [file, records] : records_) whole.emplace_back(file, false);
+    for (const auto& [file, records] : recorded) whole.emplace_back(file, false);
     parallel_for(whole.size(), threads_, [&](std::size_t i) {
-      const auto& all = records_.at(whole[i].first);
-      whole[i].second = std::ranges::any_of(
-          all, [&](const FrameRecord& record) { return is_whole(record, folder_); });
+      whole[i].second = std::ranges::any_of(recorded.at(whole[i].first), is_right);
     });
     for (const auto& [file, is_as_recorded] : whole) {
       std::error_code ignored;
@@ -172,6 +174,13 @@ class FolderCheck {
                              : fs::is_symlink(status) ? "is a link, which no run leaves"
                                                       : "differs from its record");
     }
+  }
+
+  void check_pictures() {
+    check_recorded(records_, [&](const FrameRecord& record) { return is_whole(record, folder_); });
+    check_recorded(errors_, [&](const FrameRecord& record) {
+      return is_error_image(record, folder_ / record.error_file);
+    });
     const auto known = patterns();
     for (const fs::path& path : pictures_)
       if (known.empty() ||
@@ -214,10 +223,11 @@ class FolderCheck {
   const fs::path folder_;
   const unsigned threads_;
   bool found_ = false;
-  std::size_t rows_ = 0;                                     ///< and blocks
-  std::map<std::string, std::vector<FrameRecord>> records_;  ///< by file, of all manifests
-  std::vector<fs::path> pictures_;                           ///< without a record
-  Diagnostics findings_;  ///< of each what is wrong with one file
+  std::size_t rows_ = 0;   ///< and blocks
+  RecordsByFile records_;  ///< of all manifests, by picture
+  RecordsByFile errors_;   ///< the same by picture of the error, where that is in the folder
+  std::vector<fs::path> pictures_;  ///< without a record
+  Diagnostics findings_;            ///< of each what is wrong with one file
 };
 
 Result<VerbOutput> run(const Options& options) {
