@@ -247,6 +247,17 @@ Result<void> write_file(const fs::path& path, const std::string& text) {
   return write_file(path, std::as_bytes(std::span(text)));
 }
 
+Result<void> expect_writable(const fs::path& path) {
+  const fs::path folder = folder_of(path);
+  for (fs::path there = folder;; there = folder_of(there)) {
+    if (::access((there / "").c_str(), W_OK | X_OK) == 0) return {};
+    if (errno == ENOENT && there != folder_of(there)) continue;
+    if (errno == ENOTDIR || there != folder)
+      return cannot("make the folder", folder, errno, Trouble::output);
+    return cannot("write", path, errno, Trouble::output);
+  }
+}
+
 std::vector<fs::path> leftovers(const fs::path& folder) {
   std::vector<fs::path> found;
   each_leftover(folder, [&](const fs::path& path) { found.push_back(path); });

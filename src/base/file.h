@@ -80,6 +80,10 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 /// Error   Trouble::missing with the system's reason at a folder there that cannot be read.
 Result<std::vector<std::filesystem::path>> files_below(const std::filesystem::path& folder);
 
+/// Whether a file can be made or replaced at a path, as far as permissions tell. Nothing is written.
+/// Error   Trouble::output with the system's reason.
+Result<void> expect_writable(const std::filesystem::path& path);
+
 /// The folder a file stands in, "." for a bare name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 

@@ -29,4 +29,16 @@ for name in accuracy.csv accuracy.json accuracy.html accuracy_light.svg; do
   run 6 accuracy "$root/scenes/light/nephroid.toml" -o foreign --choice light --budget 60s
   ((SECONDS < 15)) || fail "$name is refused after $SECONDS s"
 done
+# So is what cannot be written, and nothing is left half written.
+echo > taken
+SECONDS=0
+run 6 accuracy "$root/scenes/light/nephroid.toml" -o taken/out --choice light --budget 60s
+says err "taken/out: error: cannot make the folder: Not a directory"
+((SECONDS < 15)) || fail "a folder in a file is refused after $SECONDS s"
+run 6 accuracy box.toml -o unwritten --choice coverage --budget 0.1 --profile taken/box.profile
+says err "taken: error: cannot make the folder"
+absent unwritten
+# A circle of radius 0 is no wall that a reference meets.
+run 0 accuracy "$root/scenes/language/growing.toml" -o growing --choice tracer --budget 0.1
+says out "(oracle/long_orbit)"
 finish

@@ -37,12 +37,12 @@ chmod a-w four
 if ((EUID != 0)); then
   run 0 render box.toml -o 'four/f_####.png' --resume
   run 6 render box.toml -o 'four/f_####.png' --seed 9
-  says err "four/f_####.png: error: cannot write: "
+  says err "four/f_0001.png: error: cannot write: "
 elif unshare -m true 2> /dev/null; then
   read_only='mount --bind four four && mount -o remount,ro,bind four && exec "$0" render box.toml -o four/f_####.png --resume --quiet'
   unshare -m sh -c "$read_only" "$flatray" || fail "--resume with nothing to do in a read-only folder"
   unshare -m sh -c "$read_only --seed 9" "$flatray" 2> err.txt && fail "wrote into a read-only folder"
-  says err "four/f_####.png: error: cannot write: "
+  says err "four/f_0001.png: error: cannot write: "
 fi
 chmod u+w four
 

@@ -101,11 +101,11 @@ Result<void> Outputs::judge(const fs::path& path, std::string_view content, bool
 }
 
 Result<void> Outputs::allow(const fs::path& path, std::string_view content, bool ours) const {
-  return judge(path, content, ours, force_);
+  return judge(path, content, ours, force_).and_then([&] { return expect_writable(path); });
 }
 
 Result<void> Outputs::make_way(const fs::path& path, std::string_view content) const {
-  if (auto allowed = allow(path, content); !allowed || !force_) return allowed;
+  if (auto allowed = judge(path, content, false, force_); !allowed || !force_) return allowed;
   if (!judge(path, content, false, false)) {
     std::error_code ignored;  // what stays, opening it tells
     fs::remove(path, ignored);

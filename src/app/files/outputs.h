@@ -26,7 +26,7 @@ class Outputs {
   /// Whether a file that begins like `content` may be written; nothing is. Of what is known to be
   /// `ours`, as records tell, the content does not count.
   /// Error   Trouble::output: an input, a file of another kind, a link; a folder, a pipe or a
-  ///         device whether forced or not.
+  ///         device whether forced or not; a folder that cannot be written or made.
   Result<void> allow(const std::filesystem::path& path, std::string_view content,
                      bool ours = false) const;
 

@@ -92,6 +92,21 @@ TEST_F(OutputFiles, LinksAreReplacedByForceOnlyAndPipesAndFoldersNever) {
   EXPECT_EQ(read_file(target).value(), kPng) << "the link was followed";
 }
 
+TEST_F(OutputFiles, WhatCannotBeWrittenIsRefusedInTheWordsOfTheWrite) {
+  const fs::path taken = file(kPng), closed = folder_ / "closed";
+  fs::create_directory(closed);
+  fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
+  for (const fs::path& path : {taken / "a.png", taken / "new" / "a.png", closed / "a.png",
+                               closed / "new" / "a.png", folder_ / "new" / "er" / "a.png"}) {
+    const auto allowed = outputs(false).allow(path, kPng), written = write_file(path, kPng);
+    EXPECT_EQ(allowed.has_value(), written.has_value()) << path;  // the superuser may
+    if (allowed || written) continue;
+    EXPECT_EQ(format(allowed.error()), format(written.error()));
+  }
+  EXPECT_FALSE(outputs(true).allow(taken / "a.png", kPng));
+  fs::permissions(closed, fs::perms::owner_all);
+}
+
 TEST_F(OutputFiles, WayIsMadeForRecordsByForceOnly) {
   const fs::path path = file(kScene);
   EXPECT_FALSE(outputs(false).make_way(path, kTable));
