@@ -45,6 +45,12 @@ says err "--output: warning: a GIF keeps from 0.00153 to 50 frames a second, not
 says err "say -D fps=50"
 run 0 render box.toml -f 1..2 -D fps=0.001 -o slow.gif
 says err "not the 0.001 of 'box'"
+# The nearest rate that a format holds is written; a film of one frame has none.
+run 0 render box.toml -f 1..20 -D fps=0.000001 -o slow.mp4
+says err "an MP4 video keeps from 0.001 to 1e+06 frames a second"
+[[ $(tell avg_frame_rate,nb_read_frames slow.mp4) == 1/1000,*20 ]] || fail "a slow film: $(tell avg_frame_rate,nb_read_frames slow.mp4)"
+run 0 render box.toml -f 1 -D fps=0.000001 -o one.mp4
+grep -q warning err.txt && fail "a film of one frame is warned of its rate"
 # The same command again writes the same file, over the one before.
 cp box.mp4 before.mp4
 run 0 render box.toml -o box.mp4 -j 1 --quiet

@@ -83,8 +83,7 @@ class VideoMaker {
   void write() {
     for (; !waiting_.empty() && !interrupted(); waiting_.pop_front()) {
       const std::size_t index = result_.written.size();
-      const std::vector<std::byte> part =
-          job_.output.format().part(waiting_.front().bytes, index, sequence_);
+      const std::vector<std::byte> part = format_.part(waiting_.front().bytes, index, sequence_);
       hash_.add(part);
       if (auto added = file_.add(part); !added) {
         result_.problems = std::move(added).error();
@@ -116,8 +115,9 @@ class VideoMaker {
   const std::size_t turn_ = frames_a_turn(job_);
   const std::function<void()>& done_;
   VideoFile file_;
+  const PictureFormat& format_ = job_.output.format();
   const FrameSequence sequence_{job_.picture().width, job_.picture().height, frames_.size(),
-                                job_.scene.fps};
+                                std::clamp(job_.scene.fps, format_.least_fps, format_.most_fps)};
   std::deque<DrawingThread> threads_;  // which are never moved
   std::deque<Encoded> waiting_;
   Hash hash_;           ///< of all parts

@@ -129,8 +129,8 @@ Result<void> complete(const Options& options, const std::shared_ptr<const Render
   else
     job.renderer = renderer;
   const PictureFormat& format = job.output.format();
-  if (const double fps = job.scene.fps;
-      format.is_video() && (fps < format.least_fps || fps > format.most_fps))
+  if (const double fps = job.scene.fps; format.is_video() && job.frames.size() > 1 &&
+                                        (fps < format.least_fps || fps > format.most_fps))
     report_warnings(
         {{options.where(options.has("output") ? "output" : "format"),
           fmt::format("{} keeps from {:.3g} to {:.3g} frames a second, not the {} of '{}'",

@@ -8,6 +8,9 @@ namespace {
 constexpr const char* kEven =
     "split=3[a][b][c];[a]pad=ceil(iw/2)*2:ceil(ih/2)*2[p];"
     "[p][b]overlay=W-w:H-h:format=yuv444[q];[q][c]overlay=format=yuv444";
+// A file counts in up to 20000 ticks a second; players ignore the order of frames that are 2^28 ticks apart, as those
+// may be that are five apart.
+constexpr double kLeastRate = 0.001;
 constexpr const char* kArguments[] = {"-c:v",      "libx264",    "-crf", "18",
                                       "-pix_fmt",  "yuv420p",    "-vf",  kEven,
                                       "-movflags", "+faststart", "-f",   "mp4"};
@@ -21,6 +24,7 @@ extern const PictureFormat entry = {
     .beginning = {"\0\0\0 ftyp", 8},
     .of_picture = &y4m_picture,
     .part = &y4m_part,
+    .least_fps = kLeastRate,
     .by_ffmpeg = kArguments};
 
 }  // namespace flatray::mp4_format
