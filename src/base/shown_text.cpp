@@ -103,8 +103,17 @@ std::string shell_word(std::string_view text) {
     return ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') ||
            byte(c) >= 0x80 || std::string_view("_-./:,+@%").find(c) != std::string_view::npos;
   });
+  std::string word;
+  if (shown_text(text) != text) {  // by bytes, as what is shown of them is no part of a text
+    for (const char c : text)
+      if (!is_plain_ascii(c))
+        word += fmt::format("\\{:03o}", byte(c));
+      else
+        word += (c == '\'' || c == '\\' ? "\\" : "") + std::string(1, c);
+    return "$'" + word + "'";
+  }
   if (plain && !text.empty()) return std::string(text);
-  std::string word = "'";
+  word = "'";
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
   return word + "'";
 }

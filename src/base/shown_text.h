@@ -21,7 +21,7 @@ std::string with_stray_bytes_shown(std::string_view text);
 std::size_t shown_width(std::string_view shown);
 
 /// A text as one word of a POSIX shell, in quotes where it needs them: of commands that are shown to be
-/// pasted.
+/// pasted. What shown_text() changes is in $'...', with bytes as "\ooo".
 std::string shell_word(std::string_view text);
 
 /// A text as a field of CSV (RFC 4180), shown as above. What begins with = + - or @ and is no number or

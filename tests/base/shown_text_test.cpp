@@ -29,9 +29,13 @@ TEST(ShellWord, QuotesStandWhereAShellWouldReadMore) {
     EXPECT_EQ(shell_word(plain), plain);
   EXPECT_EQ(shell_word("a b;rm $(x) `y`"), "'a b;rm $(x) `y`'");
   EXPECT_EQ(shell_word("it's"), R"('it'\''s')");
-  for (const char* odd : {"", "~", "#", "a*", "a?", "[a]", "{a}", "a=b", "a\nb", "a\\b", "a\"b",
-                          "!a", "a&", "<a>", "(a)", "a|b", "^a"})
+  for (const char* odd : {"", "~", "#", "a*", "a?", "[a]", "{a}", "a=b", "a\\b", "a\"b", "!a", "a&",
+                          "<a>", "(a)", "a|b", "^a"})
     EXPECT_EQ(shell_word(odd), std::string("'") + odd + "'");
+  // What a message would not show as it is.
+  EXPECT_EQ(shell_word("a\nb"), "$'a\\012b'");
+  EXPECT_EQ(shell_word("it's \\\x1b\xff"), "$'it\\'s \\\\\\033\\377'");
+  EXPECT_EQ(shell_word("\xe2\x80\xae"), "$'\\342\\200\\256'");
 }
 
 TEST(ShownText, WidthCountsCharacters) { EXPECT_EQ(shown_width("n\xc3\xa9\xe2\x82\xac"), 3U); }
