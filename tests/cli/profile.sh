@@ -41,6 +41,11 @@ says err "is not a profile"
 printf '%s\n' "$(head -1 box.profile)" '{"setting":7}' > bad.profile
 run 4 render box.toml -o no.png --profile bad.profile --time 1
 says err "bad.profile:2:1: error: is not a setting of a profile"
+for options in '"define":[]' '"samples":[4,16]' '"backend":["gl","software"]'; do
+  printf '%s\n' "$(head -1 box.profile)" '{"setting":"s","error":0,"seconds":0,"options":{'"$options"'}}' > bad.profile
+  run 4 render box.toml -o no.png --profile bad.profile --time 1
+  says err "bad.profile:2:1: error: is not a setting of a profile"
+done
 run 3 render box.toml -o no.png --profile none.profile --time 1
 run 2 render box.toml -o no.png --error 0.1
 says err "needs --profile"

@@ -76,11 +76,14 @@ std::optional<Way> way_of(const JsonValue& line, const Place& where) {
   if (way.words.empty() || !error || !seconds || fields == nullptr) return std::nullopt;
   way.error = *error;
   way.seconds = *seconds;
-  for (const auto& [name, value] : *fields)
-    for (const auto& text : texts_of(value)) {
+  for (const auto& [name, value] : *fields) {
+    const auto texts = texts_of(value);
+    if (texts.empty() || (texts.size() > 1 && name != "define")) return std::nullopt;
+    for (const auto& text : texts) {
       if (!text || !may_choose(name, *text)) return std::nullopt;
       way.options.emplace_back(name, *text);
     }
+  }
   return way;
 }
 
