@@ -19,9 +19,23 @@ std::string reason(std::string_view what) {
   return at == std::string_view::npos ? "" : std::string(what.substr(at));
 }
 
+// Where the first bracket opens that is nested too deep; `text` holds one, and is JSON before it.
+std::size_t too_deep(std::string_view text) {
+  std::size_t depth = 0, at = 0;
+  for (bool quoted = false; depth <= kMostNested; ++at) {
+    const char c = text[at];
+    if (quoted && c == '\\') ++at;
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '[' || c == '{')) ++depth;
+    if (!quoted && (c == ']' || c == '}')) --depth;
+  }
+  return at;
+}
+
 // Builds a value from what the library's lexer finds, one call a token.
 class JsonBuilder {
  public:
+  explicit JsonBuilder(std::string_view text) : text_(text) {}
   bool null() { return put({}); }
   bool boolean(bool truth) { return put(truth); }
   bool number_unsigned(std::uint64_t number) { return put(number); }
@@ -53,7 +67,7 @@ class JsonBuilder {
   bool open(JsonValue value) {
     open_.push_back(std::move(value));
     if (open_.size() <= kMostNested) return true;
-    mistake_ = {1, fmt::format("brackets nested more than {} deep", kMostNested)};
+    mistake_ = {too_deep(text_), fmt::format("brackets nested more than {} deep", kMostNested)};
     return false;
   }
   bool close() {
@@ -71,6 +85,7 @@ class JsonBuilder {
     return true;
   }
 
+  std::string_view text_;
   std::vector<JsonValue> open_;  // the objects and arrays not yet closed
   JsonValue root_;
   JsonMistake mistake_{1, ""};
@@ -81,7 +96,7 @@ class JsonBuilder {
 tl::expected<JsonValue, JsonMistake> read_json(std::string_view text) {
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
     return tl::unexpected(JsonMistake{nul + 1, "no JSON: a NUL byte"});
-  JsonBuilder builder;
+  JsonBuilder builder(text);
   const bool whole = Json::sax_parse(text, &builder);
   return builder.result(whole);
 }

@@ -56,6 +56,14 @@ TEST(Json, AWholeNumberIsOneHoweverItIsWritten) {
 }
 
 // As the library that reads it writes it, too.
+// Brackets in texts and those that are closed do not count.
+TEST(Json, TheFirstBracketThatIsNestedTooDeepIsNamed) {
+  const std::string before = R"({"[[\"[": [[], {"a": "}]"}], "b": )";
+  const std::string deepest = before + std::string(63, '[');
+  EXPECT_EQ(read_json(deepest + std::string(7, '[')).error().byte, deepest.size() + 1);
+  EXPECT_TRUE(read_json(deepest + std::string(63, ']') + "}"));
+}
+
 TEST(JsonValue, ManyLinesAreIndentedByLevel) {
   Table table({"name", "t"});
   table.add({"a", 0.5});

@@ -79,6 +79,9 @@ std::optional<CellFault> cell_fault(const Shape& shape) {
                      "write shape = { box = { min = [0, 0], max = [1, 1] } }, or cell = { a = [1, "
                      "0], b = [0.5, 1] }"};
   const std::vector<Vec2>& at = shape.vertices;
+  if (!box_about(at).size().allFinite())
+    return CellFault{"a cell that is wider than the largest double cannot be periodic",
+                     "make it smaller"};
   const std::size_t half = at.size() / 2;
   for (std::size_t i = 1; i < half; ++i) {
     const auto off = apart(at[i], at[i + half], at[0], at[half]);

@@ -97,6 +97,8 @@ TEST(PeriodicCell, WhatIsNoCellAndWhatDoesNotStandInItIsRefusedByItsPlace) {
   refused(R"("cell":[[0,0],[1,0],[2,0],[2,2],[0,2],[0,1]],)", one, "cell: is flat");
   refused(R"("cell":[[0,0],[2,0],[2,2]],)", one, "cell: walls that are not a polygon of four");
   refused(R"("cell":[[0,0],[2,0],[2,2],[0,1]],)", one, "cell: walls of which opposite ones");
+  refused(R"("cell":[[-1e308,0],[1e308,0],[1e308,2],[-1e308,2]],)", one,
+          "cell: a cell that is wider than the largest double");
   refused(square, R"({"segment":[[1,0.5],[1,2.5]]})", "walls[0]: reaches out of the cell");
   refused(square, R"({"ellipse":{"center":[1.5,1],"u":[1,0],"v":[0,0.1]}})",
           "walls[0]: reaches out of the cell");

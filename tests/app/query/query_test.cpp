@@ -197,6 +197,8 @@ TEST(Query, ArcsThatAreNoneAreRefused) {
   };
   for (const auto& [arc, message] : cases)
     EXPECT_NE(refused(arc).find(message), std::string::npos) << refused(arc);
+  EXPECT_EQ(refused(R"({"center":[0,0],"radius":1,"towards":5})"),
+            R"({"error":"walls[0].arc.towards: is not a point: say [x, y]"})");
 }
 
 // Its doubles are off the circle: a ray from the centre to one of them has the other behind it.
