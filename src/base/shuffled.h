@@ -28,7 +28,7 @@ class Shuffled {
   }
 
  private:
-  // Of the numbers of two digits each becomes another.
+  // A permutation of all numbers of two digits to this base.
   std::uint64_t mixed(std::uint64_t i) const {
     std::uint64_t high = i / base_, low = i % base_;
     for (std::uint64_t round = 0; round < 4; ++round) {

@@ -42,8 +42,8 @@ struct PictureFormat {
                 const FrameSequence& sequence) = nullptr;
   /// Rates that the file holds, and players keep: of others the nearest.
   double least_fps = 1 / 1e6, most_fps = 1e6;
-  /// Where the program ffmpeg makes the file of these bytes, which are Y4M then: its arguments between
-  /// input and output.
+  /// Of formats that ffmpeg writes, from the bytes of `part`, which are Y4M: the arguments of ffmpeg
+  /// between its input and its output.
   std::span<const char* const> by_ffmpeg = {};
 
   // Of formats that are read back. Error   Trouble::invalid at `name`.

@@ -147,9 +147,9 @@ Result<Claim> Claim::take(const fs::path& folder, const std::string& what,
     if (!file) {
       std::error_code ignored;  // of a hidden file that cannot be made, what it is for is told
       const bool is_there = fs::exists(fs::symlink_status(path, ignored));
-      for (Diagnostic& one : file.error())
-        if (!is_there && one.where.source->name() == path.string())
-          one.where = named_place((folder / what).string());
+      Place& where = file.error().front().where;
+      if (!is_there && where.source->name() == path.string())
+        where = named_place((folder / what).string());
       return fail(std::move(file));
     }
     if (!planted) {

@@ -23,34 +23,27 @@ std::string plain_name(const std::string& name, std::set<std::string>& taken) {
   return plain;
 }
 
-std::vector<std::filesystem::path> paths_of(const ExperimentResult& result,
-                                            const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> paths;
-  std::set<std::string> taken;
-  for (const ExperimentResult::File& file : result.files)
-    paths.push_back(folder / plain_name(file.name, taken));
-  return paths;
-}
-
 }  // namespace
 
-Result<void> allow_files(const ExperimentResult& result, const std::filesystem::path& folder,
-                         const Outputs& outputs) {
-  const std::vector<std::filesystem::path> paths = paths_of(result, folder);
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    FLATRAY_TRY(allowed, outputs.allow(paths[i], result.files[i].content));
+Result<std::vector<std::filesystem::path>> allow_files(const ExperimentResult& result,
+                                                       const std::filesystem::path& folder,
+                                                       const Outputs& outputs) {
+  std::vector<std::filesystem::path> paths;
+  std::set<std::string> taken;
+  for (const ExperimentResult::File& file : result.files) {
+    paths.push_back(folder / plain_name(file.name, taken));
+    FLATRAY_TRY(allowed, outputs.allow(paths.back(), file.content));
   }
-  return {};
+  return paths;
 }
 
 Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder,
                            const Outputs& outputs) {
-  FLATRAY_TRY(allowed, allow_files(result, folder, outputs));
+  FLATRAY_TRY(paths, allow_files(result, folder, outputs));
   Values names;
-  const std::vector<std::filesystem::path> paths = paths_of(result, folder);
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    FLATRAY_TRY(written, outputs.write(paths[i], result.files[i].content));
-    names.emplace_back(paths[i].string());
+  for (std::size_t i = 0; i < paths->size(); ++i) {
+    FLATRAY_TRY(written, outputs.write((*paths)[i], result.files[i].content));
+    names.emplace_back((*paths)[i].string());
   }
   return names;
 }

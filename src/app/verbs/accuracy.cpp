@@ -51,8 +51,7 @@ struct Options : Arguments {
 // What its files begin with.
 ExperimentResult files_begun(const std::string& scene, std::span<const Choice* const> chosen) {
   ExperimentResult begun = accuracy_report(scene, {});
-  for (const Choice* choice : chosen)
-    begun.files.push_back({fmt::format("accuracy_{}.svg", choice->name), "<?xml"});
+  for (const Choice* choice : chosen) begun.files.push_back({plot_name(choice->name), "<?xml"});
   return begun;
 }
 

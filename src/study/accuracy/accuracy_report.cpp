@@ -165,8 +165,7 @@ ExperimentResult accuracy_report(const std::string& scene, std::span<const Choic
   result.files.push_back(csv_file("accuracy", points_table(reports, true)));
   result.files.push_back(json_file("accuracy", accuracy_fields(scene, reports)));
   for (const ChoiceReport& report : reports)
-    if (has_plot(report))
-      result.files.push_back({fmt::format("accuracy_{}.svg", report.name), accuracy_plot(report)});
+    if (has_plot(report)) result.files.push_back({plot_name(report.name), accuracy_plot(report)});
   result.files.push_back({"accuracy.html", accuracy_page(scene, reports, shown)});
   result.summary = summary(reports);
   return result;

@@ -16,6 +16,9 @@ namespace flatray {
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports,
                                  const std::optional<Image>& shown = {});
 
+/// Name of the file with the picture of a choice.
+inline std::string plot_name(const std::string& choice) { return "accuracy_" + choice + ".svg"; }
+
 /// What accuracy.json holds: the scene, its choices, the orders fitted, and a row for each point.
 Fields accuracy_fields(const std::string& scene, std::span<const ChoiceReport> reports);
 

@@ -91,17 +91,16 @@ struct Truth {
 };
 Truth find_truth(DrawnFrame& curves, double seconds) {
   const double start = processor_seconds();
-  const auto* fineness = kFineness.begin();
-  LinearImage rough = drawn(curves, in_chords(curves.list, *fineness));
-  for (double each = 0;;) {
+  LinearImage before = drawn(curves, in_chords(curves.list, kFineness[0]));
+  for (std::size_t i = 1;; ++i) {
     const double begin = processor_seconds();
-    curves.truth = drawn(curves, in_chords(curves.list, *++fineness));
-    each = processor_seconds() - begin;
+    curves.truth = drawn(curves, in_chords(curves.list, kFineness[i]));
+    const double end = processor_seconds();
     // One step finer takes some four times as long.
-    if (fineness + 1 == kFineness.end() || begin + 5 * each - start > seconds) break;
-    rough = std::move(curves.truth);
+    if (i + 1 == kFineness.size() || end + 4 * (end - begin) - start > seconds)
+      return {kFineness[i], kFineness[i - 1], rms_difference(curves.truth.pixels, before.pixels)};
+    before = std::move(curves.truth);
   }
-  return {*fineness, fineness[-1], rms_difference(curves.truth.pixels, rough.pixels)};
 }
 
 std::string no_curve(const std::string& what) {

@@ -104,7 +104,7 @@ Answer cores_meet(const Body& a, const Body& b, double length) {
   return answer;
 }
 
-// Those of which one moves, by number: none is kept, as there may be many.
+// The pairs of entities of which at least one moves. They are numbered, and not stored, as there may be many.
 class PairsToTell {
  public:
   PairsToTell(const Scene& scene, const std::vector<bool>& not_told) {
