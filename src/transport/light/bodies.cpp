@@ -78,13 +78,16 @@ Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
     body.area = {body.area.first + 2 * frame.power, std::nearbyint(0x1p26 * part)};
   }
   std::ranges::stable_sort(all_, std::ranges::greater(), &Body::area);
-  for (std::uint32_t i = 0; i < all_.size(); ++i)
+  std::vector<Bounds> boxes;
+  for (std::uint32_t i = 0; i < all_.size(); ++i) {
     for (const std::uint32_t surface : all_[i].surfaces) bodies_[surface] = i;
+    boxes.push_back(all_[i].bounds);
+  }
+  boxes_ = BoxTree(std::move(boxes));
 }
 
 // By the crossings of the half line to the right.
 bool Bodies::holds(const Body& body, const Vec2& point) const {
-  if (!body.bounds.contains(point)) return false;
   bool inside = false;
   for (const std::uint32_t surface : body.surfaces) {
     const bool on_it = walls_.visit(surface, [&](const auto& wall) {
@@ -105,8 +108,8 @@ std::array<double, 3> Bodies::left_after(double length, const Media& media) cons
 
 Media Bodies::around(const Vec2& point) const {
   Media media;
-  for (std::uint32_t body = 0; body < all_.size(); ++body)
-    if (holds(all_[body], point)) media.enter(body);
+  for (const std::size_t body : boxes_.near({point, point}))
+    if (holds(all_[body], point)) media.enter(static_cast<std::uint32_t>(body));
   return media;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "anim/world.h"
+#include "geom/box_tree.h"
 #include "scene/scatterer.h"
 #include "transport/light/light_ray.h"
 
@@ -69,6 +70,7 @@ class Bodies {
   const Surfaces& walls_;
   std::vector<std::uint32_t> bodies_;  // by surface
   std::vector<Body> all_;              // the outermost first
+  BoxTree boxes_{{}};                  // of all_
   bool disperse_ = false, absorb_ = false;
 };
 

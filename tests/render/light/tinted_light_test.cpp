@@ -1,7 +1,11 @@
-// needs: shapes/arc shapes/box shapes/capsule shapes/lens shapes/mushroom shapes/ngon shapes/sector lamps/beam materials/glass passes/light passes/entities formats/toml
+// needs: shapes/arc shapes/box shapes/capsule shapes/circle shapes/lens shapes/mushroom shapes/ngon shapes/sector lamps/beam materials/glass passes/light passes/entities formats/toml
 // Light that fades in glass, and light of spectra.
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "anim/world.h"
+#include "oracle/families.h"
 #include "render/lit.h"
 #include "transport/light/bodies.h"
 
@@ -144,6 +148,48 @@ TEST(TintedLight, OfASpectrumIsTakenApartIntoItsLines) {
     for (std::size_t i = static_cast<std::size_t>(c); i < plain.rgb.size(); i += 3)
       with += weak.rgb[i], without += plain.rgb[i];
     EXPECT_NEAR(with / without, 1, 0.03) << c;
+  }
+}
+
+// By Pythagoras in whole numbers: the smaller disc is the inner one, of equal ones the later, and eight
+// are known.
+TEST(Bodies, AroundAPointAreTheDiscsThatHoldIt) {
+  constexpr std::uint32_t kDiscs = 60, kKnown = 8;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    oracle::Draw draw(seed, 0, 0);
+    std::vector<Vec2> centres;
+    std::vector<double> radii;
+    std::string text;
+    for (std::uint32_t i = 0; i < kDiscs; ++i) {
+      centres.push_back(draw.whole_point(-20, 21));
+      radii.push_back(draw.whole(1, seed % 2 == 0 ? 6 : 16));
+      text += fmt::format(
+          "[[entity]]\nshape = {{ circle = {{ radius = {} }} }}\nmaterial = {{ glass = {{}} }}\n"
+          "at = [{}, {}]\n",
+          radii[i], centres[i].x(), centres[i].y());
+    }
+    const Scene scene = lit(text);
+    const World world = build_world(scene, at(Timeline(scene, 0, 1), 1));
+    const std::vector<const Scatterer*> scatterers = scatterers_of(scene, world);
+    const Bodies bodies(world, scatterers);
+    std::size_t most = 0;
+    for (int k = 0; k < 500; ++k) {
+      const Vec2 point = draw.whole_point(-24, 25);
+      std::vector<std::uint32_t> holding;
+      for (std::uint32_t i = 0; i < kDiscs; ++i)
+        if ((point - centres[i]).squaredNorm() < radii[i] * radii[i]) holding.push_back(i);
+      std::ranges::stable_sort(holding, std::ranges::greater(),
+                               [&](std::uint32_t i) { return radii[i]; });
+      most = std::max(most, holding.size());
+      Media media = bodies.around(point);
+      EXPECT_EQ(media.forgets(), holding.size() > kKnown);
+      for (std::uint32_t i = 0; i < kKnown && !holding.empty(); ++i, holding.pop_back()) {
+        ASSERT_EQ(media.around(Media::kNone), bodies.of(holding.back())) << seed << ' ' << k;
+        media.leave(bodies.of(holding.back()));
+      }
+      EXPECT_EQ(media.around(Media::kNone), Media::kNone) << seed << ' ' << k;
+    }
+    EXPECT_EQ(most > kKnown, seed % 2 == 1);
   }
 }
 
