@@ -143,9 +143,8 @@ bool is_gathered(const Scene& scene, const FrameState& state) {
     part = std::min(part, lamp.emitter->seen_part(all.size().stableNorm() / lamp.pose.scale));
   }
   const FilmTransform film(scene.film, state);
-  const double pixel = 1 / film.scale();
-  return part * all.size().prod() >
-         kSmallPart * (scene.film.width * pixel) * (scene.film.height * pixel);
+  return part * Vec2(film.scale() * all.size()).prod() >
+         kSmallPart * scene.film.width * scene.film.height;
 }
 
 namespace {

@@ -20,12 +20,11 @@ class Cone : public Emitter {
     return {{0, 0}, {out.cos, out.sin}};
   }
   std::optional<Sight> sight(const Vec2& at) const override {
-    const double r = std::sqrt(at.dot(at));
     const Turn half = turn(spread_ / 2);
     const bool is_within = std::fabs(at.y()) * half.cos <= at.x() * half.sin;
     const bool sees = half.cos < 0 ? at.x() >= 0 || is_within : at.x() >= 0 && is_within;
     if (spread_ == 0 || !sees) return std::nullopt;
-    return Sight{{0, 0}, 1 / (spread_ * r)};
+    return Sight{{0, 0}, 1 / (spread_ * size_of(at))};
   }
   bool is_one_ray() const override { return spread_ == 0; }
   double seen_part(double /*room*/) const override { return spread_ / (2 * std::numbers::pi); }

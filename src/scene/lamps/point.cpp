@@ -1,4 +1,3 @@
-#include <cmath>
 #include <numbers>
 
 #include "geom/turn.h"
@@ -14,7 +13,7 @@ class AllAround : public Emitter {
     return {{0, 0}, {out.cos, out.sin}};
   }
   std::optional<Sight> sight(const Vec2& at) const override {
-    return Sight{{0, 0}, 1 / (2 * std::numbers::pi * std::sqrt(at.dot(at)))};
+    return Sight{{0, 0}, 1 / (2 * std::numbers::pi * size_of(at))};
   }
 };
 

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "scene/lambert.h"
 #include "scene/lamp.h"
 
@@ -15,7 +13,7 @@ class Line : public Emitter {
   Line(const Vec2& from, const Vec2& to, bool both_sides)
       : from_(from), along_(to - from), both_sides_(both_sides) {
     unit_ = along_ / along_.cwiseAbs().maxCoeff();
-    unit_ /= std::sqrt(unit_.dot(unit_));
+    unit_ /= size_of(unit_);
   }
 
   Emitted emit(const double* u) const override {
@@ -25,10 +23,10 @@ class Line : public Emitter {
     return {from_ + u[1] * along_, lambert_direction(normal, unit_, share)};
   }
   std::optional<LampLine> line() const override {
-    const double length = std::sqrt(along_.dot(along_));
-    return LampLine{{from_, from_ + along_}, std::nullopt, false, length, true, both_sides_};
+    return LampLine{{from_, from_ + along_}, std::nullopt, false,
+                    size_of(along_),         true,         both_sides_};
   }
-  double seen_part(double room) const override { return along_.stableNorm() / room; }
+  double seen_part(double room) const override { return size_of(along_) / room; }
 
  private:
   Vec2 from_, along_, unit_;

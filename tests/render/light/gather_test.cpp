@@ -331,6 +331,46 @@ TEST(Gather, BesideWhatScattersAlikeIsWarnedOf) {
   EXPECT_EQ(warnings("diffuse"), "");
 }
 
+// Whatever the unit of length is: powers of two scale doubles exactly.
+TEST(Gather, IsTheSameInWorldsOfAnySize) {
+  const auto scene_in = [](double unit, const std::string& rest) {
+    const std::string text =
+        "flatray = 1\nfilm = {{ size = [16, 16], world = [[-{2}, -{2}], [{2}, {2}]] }}\n"
+        "[light]\nrays = 4096\n[[lamp]]\nsource = {{ ";
+    return scene_of(fmt::format(fmt::runtime(text + rest), unit, 2 * unit, 4 * unit, 201 * unit));
+  };
+  const auto light_in = [&](double unit, const std::string& rest) {
+    const Scene scene = scene_in(unit, rest);
+    const FrameState state = at(Timeline(scene, 0, 1), 1);
+    std::vector<double> light = gather_frame_light(scene, state, nullptr, 0, 1, nullptr).fluence;
+    for (double& one : light) one *= unit;
+    return light;
+  };
+  const std::string matt = "material = {{ diffuse = {{ reflectance = 0.5 }} }}\n";
+  const std::string room =
+      "[[chamber]]\nshape = {{ box = {{ min = [-{1}, -{1}], max = [{2}, {1}] }} }}\n" + matt;
+  const std::string hall =
+      "[[chamber]]\nshape = {{ box = {{ min = [-{3}, -{3}], max = [{3}, {3}] }} }}\n" + matt;
+  for (const std::string lamp :
+       {"point = {{}} }}\n", "cone = {{ spread = 60 }} }}\n", "beam = {{ width = {0} }} }}\n",
+        "segment = {{ from = [-{0}, {0}], to = [{0}, 0] }} }}\n",
+        "arc = {{ radius = {0} }} }}\n"}) {
+    const std::vector<double> free = light_in(1, lamp), held = light_in(1, lamp + room);
+    const Scene wide = scene_in(1, lamp + hall);
+    for (const double unit : {0x1p-600, 0x1p-900, 0x1p600, 0x1p900}) {
+      EXPECT_EQ(light_in(unit, lamp), free) << lamp << unit;
+      const std::vector<double> there = light_in(unit, lamp + room);
+      double all = 0, off = 0;
+      for (std::size_t i = 0; i < held.size(); ++i)
+        all += held[i], off += std::abs(there[i] - held[i]);
+      EXPECT_LE(off, 1e-9 * all) << lamp << unit;  // rays set off from walls elsewhere by rounding
+      const Scene scene = scene_in(unit, lamp + hall);
+      EXPECT_EQ(is_gathered(scene, at(Timeline(scene, 0, 1), 1)),
+                is_gathered(wide, at(Timeline(wide, 0, 1), 1)));
+    }
+  }
+}
+
 // Of 2500 times the size of the picture, and where it can.
 TEST(Gather, IsChosenForASmallPartOfTheWalls) {
   const auto chosen = [](const char* half, const char* material, const char* lamp = "point = {}") {
