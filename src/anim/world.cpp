@@ -68,6 +68,7 @@ void add_walls(World& world, const Scene& scene, std::uint32_t chamber, const Po
   for (const WallPiece& part : room.parts) {
     owner.edge = part.edge;
     owner.hole = part.hole;
+    owner.turned = part.turned;
     owner.material = part.hole == kNoEntry ? room.material : Material::hole;
     add_edge(world, in_world(part.wall, place), owner);
   }
@@ -78,9 +79,11 @@ void add_walls(World& world, const Scene& scene, std::uint32_t chamber, const Po
 void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner owner) {
   for (const OutlineEdge& edge : outline(shape)) {
     owner.edge = edge.number;
+    owner.turned = edge.turned;
     add_segment(world, place(shape.vertices[edge.from]), place(shape.vertices[edge.to]), owner);
   }
   owner.edge = 0;
+  owner.turned = false;
   for (const Segment& segment : shape.segments) {
     add_segment(world, place(segment.a), place(segment.b), owner);
     ++owner.edge;

@@ -18,6 +18,7 @@ struct SurfaceOwner {
   std::int32_t edge;
   Material material;              ///< of an entity without one: absorbs
   std::uint32_t hole = kNoEntry;  ///< of the chamber: what of the edge is this hole
+  bool turned = false;            ///< the edge as given runs the other way
 };
 
 /// The walls of one frame in world coordinates, each with its owner.

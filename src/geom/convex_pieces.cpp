@@ -14,13 +14,15 @@ constexpr std::int32_t kCut = -1;
 struct Walk {
   std::vector<Vec2> points;
   std::vector<std::int32_t> edges;
+  bool clockwise;
 
   explicit Walk(std::span<const Vec2> ring) {
     for (const std::size_t edge : proper_edges(ring)) {
       points.push_back(ring[edge]);
       edges.push_back(static_cast<std::int32_t>(edge));
     }
-    if (ring_orientation(points) != Sign::negative) return;
+    clockwise = ring_orientation(points) == Sign::negative;
+    if (!clockwise) return;
     // The edge that began at a vertex now ends there.
     std::reverse(points.begin(), points.end());
     std::reverse(edges.begin(), edges.end() - 1);
@@ -72,6 +74,7 @@ class Faces {
 
   ConvexPieces pieces() {
     ConvexPieces pieces;
+    pieces.clockwise = walk_.clockwise;
     for (Index h = 0; h < sides_.size(); ++h) {
       if (links_[h].gone) continue;
       for (Index at = h; !links_[at].gone; at = links_[at].next) {
@@ -122,7 +125,7 @@ ConvexPieces convex_pieces(std::span<const Vec2> ring) {
   Walk walk(ring);
   if (!non_convex_vertex(walk.points)) {
     const std::uint32_t size = walk.size();
-    return {std::move(walk.points), {0, size}, std::move(walk.edges)};
+    return {std::move(walk.points), {0, size}, std::move(walk.edges), walk.clockwise};
   }
   Faces faces(walk, triangles_of(walk));
   faces.join();

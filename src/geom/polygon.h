@@ -58,7 +58,8 @@ struct ConvexPieces {
   std::vector<Vec2> vertices;           ///< piece after piece
   std::vector<std::uint32_t> begin{0};  ///< piece i is [begin[i], begin[i + 1])
   std::vector<std::int32_t>
-      edges;  ///< the ring's edge from vertex k of the list to the next; -1 a cut
+      edges;               ///< the ring's edge from vertex k of the list to the next; -1 a cut
+  bool clockwise = false;  ///< the ring is, so that its edges run the other way
 };
 /// Needs   a simple ring of non-zero area. A convex ring is one piece. Cost O(n log n).
 ConvexPieces convex_pieces(std::span<const Vec2> ring);

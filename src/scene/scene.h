@@ -30,6 +30,8 @@ struct Shape {
   std::vector<std::uint32_t> begin{0};  ///< piece i is vertices [begin[i], begin[i + 1])
   /// Input edge from vertex k to the next of its piece; -1: a cut.
   std::vector<std::int32_t> edges{};
+  /// By piece, as far as any is: whether it was given clockwise, so that its edges run the other way.
+  std::vector<bool> clockwise{};
   std::vector<Circle> circles{};
   std::vector<Segment> segments{};
   std::vector<std::vector<Vec2>> crossing_rings{};  ///< drawn by even-odd, never traced

@@ -29,7 +29,8 @@ struct WallHole {
 struct WallPiece {
   PathWall wall;
   std::int32_t edge;
-  std::uint32_t hole;  ///< of the chamber; kNoEntry: of none
+  std::uint32_t hole;   ///< of the chamber; kNoEntry: of none
+  bool turned = false;  ///< the edge as given runs the other way
 };
 
 }  // namespace flatray

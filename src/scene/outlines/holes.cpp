@@ -15,6 +15,7 @@ using Hole = WallHole;
 struct Edge {
   PathWall wall;
   std::int32_t number;
+  bool turned = false;
 
   bool is_round() const { return wall.arc && wall.arc->is_whole(); }
   Vec2 at(double share) const {
@@ -29,8 +30,9 @@ struct Edge {
 std::vector<Edge> edges_of(const Shape& shape) {
   std::vector<Edge> edges;
   for (const OutlineEdge& edge : outline(shape))
-    edges.push_back(
-        {{shape.vertices[edge.from], shape.vertices[edge.to], std::nullopt}, edge.number});
+    edges.push_back({{shape.vertices[edge.from], shape.vertices[edge.to], std::nullopt},
+                     edge.number,
+                     edge.turned});
   for (const Circle& circle : shape.circles) {
     const EllipseArc arc{circle.centre, {circle.radius, 0}, {0, circle.radius}};
     edges.push_back({{arc.start(), arc.end(), arc}, kNoEdge});
@@ -58,7 +60,7 @@ Gap gap_of(const Edge& edge, const Hole& hole, std::uint32_t number) {
 
 void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPiece>& parts) {
   if (gaps.empty()) {
-    parts.push_back({edge.wall, edge.number, kNoEntry});
+    parts.push_back({edge.wall, edge.number, kNoEntry, edge.turned});
     return;
   }
   const double begin = edge.is_round() ? gaps.front().from : 0;
@@ -70,7 +72,8 @@ void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPi
     if (arc)
       arc = EllipseArc{arc->centre, arc->u, arc->v, arc->from + at * arc->sweep,
                        (share - at) * arc->sweep};
-    if (to != from || hole != kNoEntry) parts.push_back({{from, to, arc}, edge.number, hole});
+    if (to != from || hole != kNoEntry)
+      parts.push_back({{from, to, arc}, edge.number, hole, edge.turned});
     at = share;
     from = to;
   };
@@ -85,7 +88,7 @@ void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPi
 std::vector<ArcPath> runs_of(const std::vector<WallPiece>& parts) {
   std::vector<ArcPath> runs;
   const Vec2* end = nullptr;
-  for (const auto& [wall, edge, hole] : parts) {
+  for (const auto& [wall, edge, hole, turned] : parts) {
     if (hole != kNoEntry) {
       end = nullptr;
       continue;

@@ -14,7 +14,8 @@ struct Walk {
   // Edge i runs from vertex i to the next of its piece. Needs   ascending i.
   OutlineEdge edge(std::uint32_t i) {
     while (i >= shape.begin[piece + 1]) ++piece;
-    return {i, i + 1 < shape.begin[piece + 1] ? i + 1 : shape.begin[piece], shape.edges[i]};
+    return {i, i + 1 < shape.begin[piece + 1] ? i + 1 : shape.begin[piece], shape.edges[i],
+            piece < shape.clockwise.size() && shape.clockwise[piece]};
   }
 };
 

@@ -7,6 +7,7 @@ namespace flatray {
 struct OutlineEdge {
   std::uint32_t from, to;  ///< of Shape::vertices
   std::int32_t number;     ///< of the input
+  bool turned;             ///< the input's runs the other way
 };
 
 /// Edges of the convex pieces that bound their union as far as shared edges tell: what two pieces

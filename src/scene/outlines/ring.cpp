@@ -26,9 +26,12 @@ void drop_first(CleanRing& ring) {
   ring.edges.erase(ring.edges.begin());
 }
 
-void append_piece(Shape& shape, std::span<const Vec2> vertices) {
-  shape.vertices.insert(shape.vertices.end(), vertices.begin(), vertices.end());
+// Whose vertices are there.
+void end_piece(Shape& shape, bool clockwise) {
   shape.begin.push_back(static_cast<std::uint32_t>(shape.vertices.size()));
+  if (!clockwise) return;
+  shape.clockwise.resize(shape.piece_count());
+  shape.clockwise.back() = true;
 }
 
 }  // namespace
@@ -62,10 +65,11 @@ CleanRing clean_ring(std::span<const Vec2> ring) {
 void add_ring(Shape& shape, std::span<const Vec2> ring, std::int32_t first_edge) {
   const CleanRing clean = clean_ring(ring);
   const ConvexPieces pieces = convex_pieces(clean.vertices);
-  for (std::size_t i = 0; i + 1 < pieces.begin.size(); ++i)
-    append_piece(
-        shape,
-        std::span(pieces.vertices).subspan(pieces.begin[i], pieces.begin[i + 1] - pieces.begin[i]));
+  const auto vertex = [&](std::size_t i) { return pieces.vertices.begin() + pieces.begin[i]; };
+  for (std::size_t i = 0; i + 1 < pieces.begin.size(); ++i) {
+    shape.vertices.insert(shape.vertices.end(), vertex(i), vertex(i + 1));
+    end_piece(shape, pieces.clockwise);
+  }
   for (const std::int32_t edge : pieces.edges)
     shape.edges.push_back(edge < 0 ? -1 : first_edge + clean.edges[static_cast<std::size_t>(edge)]);
 }
@@ -75,7 +79,7 @@ void add_triangle(Shape& shape, std::span<const Vec2, 3> corners, bool clockwise
   shape.vertices.push_back(corners[0]);
   shape.vertices.push_back(corners[clockwise ? 2 : 1]);
   shape.vertices.push_back(corners[clockwise ? 1 : 2]);
-  shape.begin.push_back(static_cast<std::uint32_t>(shape.vertices.size()));
+  end_piece(shape, clockwise);
   for (const std::int32_t edge : {clockwise ? 2 : 0, 1, clockwise ? 0 : 2})
     shape.edges.push_back(first_edge + edge);
 }

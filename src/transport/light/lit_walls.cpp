@@ -11,6 +11,7 @@ namespace flatray {
 LitWalls::LitWalls(const World& world, std::span<const Scatterer* const> scatterers,
                    const Tracer* tracer)
     : walls_(world.surfaces),
+      owners_(world.owners),
       materials_(world.materials()),
       scatterers_(scatterers),
       bodies_(world, scatterers),
@@ -90,14 +91,18 @@ Sign LitWalls::side(const LightHit& met) const {
 Arrival LitWalls::arrival(const LightRay& ray, const LightHit& met) const {
   const auto nm = static_cast<double>(ray.nm);
   const std::uint32_t surface = met.hit.surface;
-  const bool placed = scatterers_[surface] != nullptr && scatterers_[surface]->depends_on_place() &&
-                      walls_.segment_slot(surface) != kNoSurface;
+  double along = 0;
+  if (scatterers_[surface] != nullptr && scatterers_[surface]->depends_on_place() &&
+      walls_.segment_slot(surface) != kNoSurface) {
+    along = share_along(walls_.segment(surface), met.point);
+    if (owners_[surface].turned) along = 1 - along;
+  }
   return {ray.ray.direction,
           met.normal,
           met.from_inside,
           bodies_.index_around(ray.media, bodies_.of(surface), nm),
           nm,
-          placed ? share_along(walls_.segment(surface), met.point) : 0.0};
+          along};
 }
 
 Departure LitWalls::depart(const LightHit& met, const Arrival& arrival, double u) const {

@@ -81,6 +81,7 @@ class LitWalls {
   void change_media(LightRay& ray, const LightHit& met) const;
 
   const Surfaces& walls_;
+  const std::vector<SurfaceOwner>& owners_;
   const std::vector<Material> materials_;
   std::span<const Scatterer* const> scatterers_;
   const Bodies bodies_;

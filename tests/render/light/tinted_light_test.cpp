@@ -1,5 +1,5 @@
-// needs: shapes/arc shapes/box shapes/capsule shapes/circle shapes/lens shapes/mushroom shapes/ngon shapes/sector lamps/beam materials/glass passes/light passes/entities formats/toml
-// Light that fades in glass, and light of spectra.
+// needs: shapes/arc shapes/box shapes/capsule shapes/circle shapes/lens shapes/mushroom shapes/ngon shapes/polygon shapes/sector lamps/beam lamps/point lamps/ray materials/glass materials/mix passes/light passes/entities formats/toml
+// Light that fades in glass, light of spectra, and light that goes by the place on a wall.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -148,6 +148,37 @@ TEST(TintedLight, OfASpectrumIsTakenApartIntoItsLines) {
     for (std::size_t i = static_cast<std::size_t>(c); i < plain.rgb.size(); i += 3)
       with += weak.rgb[i], without += plain.rgb[i];
     EXPECT_NEAR(with / without, 1, 0.03) << c;
+  }
+}
+
+// The first end of a wall is the one that was written first, whichever way a polygon runs round.
+TEST(Light, OfAMirrorTurnedAlongItsWallGoesByTheEndsAsWritten) {
+  const auto light_of = [](const std::string& shape, const char* turn) {
+    return fluence(lit("[[lamp]]\nsource = { point = {} }\nat = [-2.5, 0.3]\n[[" + shape +
+                       "\nmaterial = { mix = { mirror = 1, mirror_turn = " + turn + " } }\n"))
+        .rgb;
+  };
+  const auto difference = [](const std::vector<double>& one, const std::vector<double>& other) {
+    double all = 0, off = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) all += one[i], off += std::abs(one[i] - other[i]);
+    return off / all;
+  };
+  struct Case {
+    const char *counter_clockwise, *clockwise;
+  };
+  const Case cases[] = {
+      {"entity]]\nshape = { polygon = { points = [[0, -1], [2, -1], [2, 1], [0, 1]] } }",
+       "entity]]\nshape = { polygon = { points = [[0, 1], [2, 1], [2, -1], [0, -1]] } }"},
+      {"entity]]\nshape = { polygon = { points = [[-1, -2], [3, 0], [-1, 2], [1, 0]] } }",
+       "entity]]\nshape = { polygon = { points = [[1, 0], [-1, 2], [3, 0], [-1, -2]] } }"},
+      {"chamber]]\nshape = { polygon = { points = [[-3, -1], [2, -1], [2, 1], [-3, 1]] } }\n"
+       "holes = [{ edge = 2, from = 0.25, to = 0.5 }]",
+       "chamber]]\nshape = { polygon = { points = [[-3, 1], [2, 1], [2, -1], [-3, -1]] } }\n"
+       "holes = [{ edge = 0, from = 0.25, to = 0.5 }]"}};
+  for (const auto& [counter_clockwise, clockwise] : cases) {
+    const std::vector<double> light = light_of(counter_clockwise, "[5, 30]");
+    EXPECT_LE(difference(light_of(clockwise, "[30, 5]"), light), 1e-6) << clockwise;
+    EXPECT_GE(difference(light_of(clockwise, "[5, 30]"), light), 1e-2) << clockwise;
   }
 }
 
