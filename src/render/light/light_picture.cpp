@@ -28,7 +28,8 @@ double automatic_exposure(std::span<const double> fluence) {
   for (std::size_t i = 0; i + 2 < fluence.size(); i += 3)
     if (const double y = luminance_of(&fluence[i]); y > 0) lit.push_back(y);
   if (lit.empty()) return 1;
-  const auto place = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() - 1 - lit.size() / 100);
+  const std::size_t bright = std::max<std::size_t>(lit.size() / 100, 1);
+  const auto place = lit.end() - static_cast<std::ptrdiff_t>(bright);
   std::nth_element(lit.begin(), place, lit.end());
   return 1 / *place;
 }

@@ -366,7 +366,7 @@ TEST(Light, ExposesOneOfAHundredLitPixelsAsWhite) {
   std::vector<double> fluence(3 * 1000, 0.0);
   for (std::size_t i = 0; i < 200; ++i)
     for (std::size_t c = 0; c < 3; ++c) fluence[3 * i + c] = static_cast<double>(i + 1);
-  EXPECT_NEAR(automatic_exposure(fluence), 1.0 / 198, 1e-12);
+  EXPECT_NEAR(automatic_exposure(fluence), 1.0 / 199, 1e-12);
   EXPECT_EQ(automatic_exposure(std::vector<double>(30, 0.0)), 1);
 }
 
