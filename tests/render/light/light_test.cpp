@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "render/light/light_picture.h"
@@ -368,6 +369,12 @@ TEST(Light, ExposesOneOfAHundredLitPixelsAsWhite) {
     for (std::size_t c = 0; c < 3; ++c) fluence[3 * i + c] = static_cast<double>(i + 1);
   EXPECT_NEAR(automatic_exposure(fluence), 1.0 / 199, 1e-12);
   EXPECT_EQ(automatic_exposure(std::vector<double>(30, 0.0)), 1);
+}
+
+TEST(Light, BeyondTheLargestFloatIsHeldThere) {
+  const double counts[] = {0, 1, 1e9};
+  const LightPicture shown = light_picture(counts, 0x1p127, {}, true);
+  EXPECT_EQ(shown.rgb, (std::vector<float>{0, 0x1p127F, std::numeric_limits<float>::max()}));
 }
 
 }  // namespace
