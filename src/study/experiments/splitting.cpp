@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "base/portable_math.h"
 #include "base/table.h"
 #include "study/plots/plot.h"
-#include "study/rooms/followed.h"
+#include "study/rooms/pixel_map.h"
 #include "study/rooms/survival.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
@@ -24,6 +25,8 @@ constexpr double kFarther = 3;
 constexpr std::uint64_t kPilot = 2000, kFirstBounces = 1000, kPilotBounces = 100'000,
                         kMostLevels = 1000, kLeastOrbits = 100;
 constexpr double kLeftAtLevel = 0.25, kLeftAtEnd = 1e-8;
+constexpr auto kQuarter = static_cast<std::uint64_t>(kLeftAtLevel * kPilot);
+constexpr std::uint64_t kHardlyAny = 200;  // one in so many of those left, while bounces double
 constexpr std::uint64_t kForgotten = 3;  // levels before those of a rate, of which nothing is left
 constexpr double kWidest = 0.6;  // spread of the groups' shares, beside which intervals still cover
 
@@ -43,31 +46,31 @@ Measure not_turned(Measure near, const Measure& far) {
   return near;
 }
 
-// Bounces of a few orbits that the groups do not use, the most first.
-std::vector<std::uint64_t> pilot(const ExperimentContext& context, const Room& room,
-                                 std::uint64_t bounces) {
-  std::vector<OrbitStart> starts;
-  for (std::uint64_t i = 0; i < kPilot; ++i)
-    starts.push_back(room.draw_start(context.seed, (std::uint64_t{1} << 40) + i));
-  std::vector<std::uint64_t> made(starts.size());
-  BounceSink sink([&](std::size_t number, const Bounce&) { ++made[number]; });
-  follow_starts(context, room, starts, bounces, sink);
-  std::ranges::sort(made, std::greater<>());
-  return made;
+// Bounces of a few orbits that the groups do not use, the most first: so many that three quarters
+// are gone, unless hardly any more leave while bounces double, as in a closed part of a room.
+Result<std::vector<std::uint64_t>> pilot(const ExperimentContext& context, const Room& room) {
+  for (std::uint64_t bounces = kFirstBounces, left = kPilot;;
+       bounces = std::min(2 * bounces, kPilotBounces)) {
+    FLATRAY_TRY(orbits, trace_pilot(context, room, bounces, kPilot));
+    std::vector<std::uint64_t> made;
+    for (const PixelOutcome& one : *orbits) made.push_back(one.bounces);
+    std::ranges::sort(made, std::greater<>());
+    const auto still = static_cast<std::uint64_t>(std::ranges::count(made, bounces));
+    const std::uint64_t gone = std::exchange(left, still) - still;
+    if (left <= kQuarter) return made;
+    if (bounces == kPilotBounces || gone * kHardlyAny < left)
+      return fail(context.scene.where,
+                  fmt::format("hardly any orbit leaves: {} of {} are still there after {} bounces",
+                              left, kPilot, bounces),
+                  "splitting is for rooms that orbits leave by holes or gaps");
+  }
 }
 
 // Levels that leave about a quarter each.
 Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room) {
-  constexpr auto kQuarter = static_cast<std::size_t>(kLeftAtLevel * kPilot);
-  std::vector<std::uint64_t> made = pilot(context, room, kFirstBounces);
-  // Of a closed room the longer look would take minutes.
-  if (made.back() < kFirstBounces && made[kQuarter] == kFirstBounces)
-    made = pilot(context, room, kPilotBounces);
-  const std::uint64_t step = std::max<std::uint64_t>(made[kQuarter], 1);
-  if (step >= kPilotBounces || made.back() >= kFirstBounces)
-    return fail(context.scene.where, "hardly any orbit leaves",
-                "splitting is for rooms that orbits leave by holes or gaps");
-  const auto those = std::ranges::count_if(made, [&](std::uint64_t one) { return one >= step; });
+  FLATRAY_TRY(made, pilot(context, room));
+  const std::uint64_t step = std::max<std::uint64_t>((*made)[kQuarter], 1);
+  const auto those = std::ranges::count_if(*made, [&](std::uint64_t one) { return one >= step; });
   const double stay = std::max(static_cast<double>(those) / kPilot, 1.0 / kPilot);
   const auto usual = static_cast<std::uint64_t>(
       std::ceil(portable::log(kLeftAtEnd) / portable::log(std::min(stay, 0.9))));

@@ -11,30 +11,17 @@
 namespace flatray {
 namespace {
 
-constexpr std::uint64_t kPilot = std::uint64_t{1} << 18;        // orbits, at most
-constexpr std::uint64_t kPilotStarts = std::uint64_t{1} << 40;  // numbers that no group uses
-constexpr std::uint64_t kLeastOrbits = 100;                     // of a group
+constexpr std::uint64_t kPilot = std::uint64_t{1} << 18;  // orbits, at most
+constexpr std::uint64_t kLeastOrbits = 100;               // of a group
 constexpr double kForgotten = 3;  // memories: what is left of the beginning is its third power
 constexpr double kSmallTurn = 0x1p-7;
 constexpr double kLogOfFour = 1.3862943611198906;  // a quarter is left at a level
-
-// Blocks of the pilot are not those of the run.
-class OnlyStops : public RunMonitor {
- public:
-  explicit OnlyStops(RunMonitor* of) : of_(of) {}
-  bool stopped() override { return of_ != nullptr && of_->stopped(); }
-
- private:
-  RunMonitor* of_;
-};
 
 // How starts by the measure that reflection keeps leave.
 Result<Survival> natural_survival(const ExperimentContext& context, const Room& room,
                                   std::uint64_t bounces) {
   const std::uint64_t count = std::min(context.count, kPilot);
-  FLATRAY_TRY(outcomes, trace_outcomes(context, room, bounces, count, 0, [&](std::uint64_t i) {
-                return room.draw_start(context.seed, kPilotStarts + i);
-              }));
+  FLATRAY_TRY(outcomes, trace_pilot(context, room, bounces, count));
   const Survival found = survival(departures_of(*outcomes));
   const Place where = context.scene.where;
   if (found.law == Survival::Law::power)
@@ -77,16 +64,13 @@ std::vector<LeavingOrbit> departures_of(std::span<const PixelOutcome> orbits) {
 
 Result<ConditionalStarts> ConditionalStarts::draw(const ExperimentContext& context,
                                                   const Room& room, std::uint64_t bounces) {
-  OnlyStops monitor(context.monitor);
-  ExperimentContext pilot = context;
-  pilot.monitor = &monitor;
   const std::uint64_t orbits = (context.count + kShifts - 1) / kShifts;
   if (orbits < kLeastOrbits)
     return refused_option(
         "--count",
         fmt::format("conditional starts in {} groups of {}", kShifts, counted(orbits, "orbit")),
         fmt::format("say --count {} or more", kShifts * kLeastOrbits));
-  FLATRAY_TRY(natural, natural_survival(pilot, room, bounces));
+  FLATRAY_TRY(natural, natural_survival(context, room, bounces));
   ConditionalStarts found;
   found.memory_ = *late_start(*natural);
   const double step = std::max(1.0, std::floor(kLogOfFour / natural->rate));
@@ -96,7 +80,7 @@ Result<ConditionalStarts> ConditionalStarts::draw(const ExperimentContext& conte
   found.groups_.resize(kShifts);
   parallel_for(kShifts, context.threads, [&](std::size_t group) {
     Population population(context, room, plan, group);
-    for (std::uint64_t level = 0; level < plan.levels && !monitor.stopped(); ++level) {
+    for (std::uint64_t level = 0; level < plan.levels && !context.stopped(); ++level) {
       population.advance();
       if (population.walkers().empty()) return;
       population.clone();

@@ -70,6 +70,16 @@ PixelOutcome outcome(std::span<const double> nine) {
           nine[8]};
 }
 
+// Blocks of a pilot are not those of the run.
+class OnlyStops : public RunMonitor {
+ public:
+  explicit OnlyStops(const ExperimentContext& of) : of_(of) {}
+  bool stopped() override { return of_.stopped(); }
+
+ private:
+  const ExperimentContext& of_;
+};
+
 // The place of a pixel that is so far across and down in it.
 UnitPoint in_pixel(const Film& film, std::uint64_t pixel, double across, double down) {
   const auto width = static_cast<std::uint64_t>(film.width);
@@ -141,6 +151,18 @@ Result<std::vector<PixelOutcome>> trace_outcomes(
     for (std::size_t i = 0; i < block.size(); i += kColumns)
       outcomes.push_back(outcome(std::span(block).subspan(i, kColumns)));
   return outcomes;
+}
+
+Result<std::vector<PixelOutcome>> trace_pilot(const ExperimentContext& context, const Room& room,
+                                              std::uint64_t bounces, std::uint64_t count) {
+  constexpr std::uint64_t kPilotStarts = std::uint64_t{1} << 40;  // numbers that no run uses
+  OnlyStops monitor(context);
+  ExperimentContext pilot = context;
+  pilot.monitor = &monitor;
+  if (pilot.precision == OrbitPrecision::certified) pilot.precision = OrbitPrecision::exact;
+  return trace_outcomes(pilot, room, bounces, count, 0, [&](std::uint64_t i) {
+    return room.draw_start(context.seed, kPilotStarts + i);
+  });
 }
 
 Plot pixel_plot(const ExperimentContext& context, const Room& room, PixelMap usual,

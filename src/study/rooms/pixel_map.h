@@ -46,6 +46,12 @@ Result<std::vector<PixelOutcome>> trace_outcomes(
     const ExperimentContext& context, const Room& room, std::uint64_t bounces, std::uint64_t count,
     std::uint64_t exact, const std::function<std::optional<OrbitStart>(std::uint64_t)>& start);
 
+/// `count` orbits of starts drawn on the walls by the measure that reflection keeps, none of which an
+/// experiment draws for its own results: what it looks at first, to see what room it has. A monitor
+/// is asked to stop and told nothing; nothing is certified.
+Result<std::vector<PixelOutcome>> trace_pilot(const ExperimentContext& context, const Room& room,
+                                              std::uint64_t bounces, std::uint64_t count);
+
 /// The centre of a pixel; any place in it; any place of the picture. Drawn by their number.
 UnitPoint pixel_centre(const Film& film, std::uint64_t pixel);
 UnitPoint drawn_in_pixel(const Film& film, std::uint64_t pixel, std::uint64_t seed);

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/capsule shapes/circle shapes/sector experiments/mean-free-path experiments/splitting experiments/transport experiments/periodic
+// needs: shapes/box shapes/capsule shapes/circle shapes/ellipse shapes/sector experiments/mean-free-path experiments/recurrence experiments/splitting experiments/transport experiments/periodic
 // Rooms and counts at which experiments once said more than they knew, or the wrong thing.
 #include <gtest/gtest.h>
 
@@ -54,6 +54,35 @@ TEST(HonestAnswers, SplittingTellsNoRateWhereThereIsNone) {
              {.scene = scene, .seed = seed, .count = 300'000, .precision = OrbitPrecision::fast})
              .measures)
       EXPECT_FALSE(has(one.name, "escape_rate")) << one.name << " " << one.value;
+}
+
+// A sealed ring is of the walls, and no orbit comes out of it: P / h of the others is what returns take. Of
+// an ellipse with a hole round the end of its long axis nothing comes to the hole that passes between the
+// foci so far from the axis, 0.4808 of all; the others take 6.428 arrivals.
+TEST(HonestAnswers, KacsLemmaIsOfWhatComesToTheHoles) {
+  const Scene ring =
+      chamber_with("box = { min = [-2, -2], max = [2.3, 2.1] }",
+                   "holes = [{ edge = 0, from = 0.2, to = 0.4 }]\npillars = [{ shape = { "
+                   "sector = { radius = 1.2, inner = 0.9, from = 0, to = 360 } } }]\n");
+  const Scene ellipse = with_holes("ellipse = { radii = [3, 2] }", "{ from = 0.95, to = 1.05 }");
+  for (const auto& [scene, arrivals] : {std::pair(&ring, 28.302), std::pair(&ellipse, 6.428)}) {
+    const auto found = run("recurrence", {.scene = *scene, .count = 10'000});
+    EXPECT_TRUE(found.holds);
+    const Measure mean = measure(found, "mean_arrivals");
+    EXPECT_FALSE(mean.expected || measure(found, "mean_way").expected);
+    EXPECT_TRUE(has(mean.remark, "of 2000 orbits from all walls did not come to a hole"));
+    EXPECT_NEAR(mean.value / arrivals, 1, 0.04);
+  }
+}
+
+// Half of that ellipse is closed: no level of bounces leaves a quarter.
+TEST(HonestAnswers, SplittingSaysWhereARoomIsClosedInPart) {
+  const Scene scene = with_holes("ellipse = { radii = [3, 2] }", "{ from = 0.95, to = 1.05 }");
+  const auto refused =
+      experiment("splitting").run({.scene = scene, .precision = OrbitPrecision::fast});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_TRUE(has(format(refused.error()), "of 2000 are still there after 2000 bounces"))
+      << format(refused.error());
 }
 
 // Of so few orbits it cannot be told whether flights have a variance.
