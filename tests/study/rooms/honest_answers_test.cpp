@@ -85,6 +85,18 @@ TEST(HonestAnswers, SplittingSaysWhereARoomIsClosedInPart) {
       << format(refused.error());
 }
 
+// A pillar that stands on a periodic wall ends what comes there in a corner.
+TEST(HonestAnswers, MeanFreePathSaysWhereOrbitsEndInCorners) {
+  const Scene scene =
+      chamber_with("box = { min = [0, 0], max = [1, 1] }",
+                   "material = \"periodic\"\npillars = [{ shape = { box = { min = [0.8, "
+                   "0.2], max = [1, 0.5] } } }]\n");
+  const Measure path =
+      measure(run("mean-free-path", {.scene = scene, .count = 20'000}), "mean_free_path");
+  EXPECT_FALSE(path.standard_error);
+  EXPECT_TRUE(has(path.remark, "of 200 orbits ended in corners")) << path.remark;
+}
+
 // Of so few orbits it cannot be told whether flights have a variance.
 TEST(HonestAnswers, TransportOfFewOrbitsIsUndecided) {
   const Scene scene = torus("0.35");
