@@ -16,7 +16,8 @@ struct Verb {
   Command command;
   const char* examples;     ///< lines of `flatray help VERB`, "" for none
   const char* undone = "";  ///< what a failure leaves: "nothing rendered", "" for nothing to say
-  Words words = nullptr;    ///< what the first operand may be, where that is a list of names
+  Words words = nullptr;    ///< what the first operand may be, where that is a list of names, or
+                            ///< how files end that all of them may be
   /// What a stopped run leaves for another to go on from; null: nothing, so it is stopped at once.
   const char* kept = nullptr;
   std::size_t hidden_operands = 0;  ///< at most, beside those shown

@@ -32,6 +32,16 @@ expect box "$(timeout 60 "$flatray" completion words -- flatray hit pipe.toml fi
 rm pipe.toml
 expect "film.background= " "$(words flatray render first.toml -D film.b)" "keys of a scene"
 expect ":folders " "$(words flatray golden check --root '')" folders
+expect "film.background= " "$(words flatray experiment escape first.toml --sweep film.b)" "keys that a sweep goes over"
+expect "none " "$(words flatray orbit first.toml --speed '')" "a word beside a number"
+expect ":files json " "$(words flatray render --profile '' | tr -d '\t')" "profiles"
+expect ":files film hdr pfm png " "$(words flatray merge --output '' | tr -d '\t')" "what films merge into"
+for verb in render merge; do
+  expect ":files hdr pfm png " "$(words flatray $verb --error-image '' | tr -d '\t')" "pictures of the error, $verb"
+done
+for first in '' a.hdr; do
+  expect ":files hdr pfm png " "$(words flatray compare $first '' | tr -d '\t')" "pictures to compare"
+done
 expect ":files jsonl json " "$(words flatray query '' | tr -d '\t')" "questions"
 expect "" "$(words flatray render --size '')" "values that are free"
 expect "" "$(words nothing at all)" "another program's words"
@@ -95,7 +105,7 @@ if command -v zsh > /dev/null; then
   }
   expect "render:draw frames of scenes into picture files " "$(in_zsh flatray ren)" "zsh, a verb"
   expect "always " "$(in_zsh flatray render --progress al)" "zsh, a value"
-  expect "files -g *.(png) " "$(in_zsh flatray compare p)" "zsh, pictures"
+  expect "files -g *.(hdr|pfm|png) " "$(in_zsh flatray compare p)" "zsh, pictures"
   expect "\\:files toml " "$(in_zsh flatray hit hostile.toml --from :fi)" "zsh, a colon"
   expect "it's \"\\\\ " "$(in_zsh flatray hit hostile.toml --from it)" "zsh, a backslash"
   expect '$(touch ran) ' "$(in_zsh flatray hit hostile.toml --from '\$')" "zsh, a name begun in quotes"

@@ -13,6 +13,21 @@
 
 namespace flatray {
 
+std::vector<std::string> endings_of_frames() {
+  std::vector<std::string> endings;
+  for (const PictureFormat* format : picture_formats())
+    if (!format->is_video()) endings.push_back(fmt::format(".{}", format->name));
+  return endings;
+}
+
+std::vector<std::string> endings_of_pictures() {
+  std::vector<std::string> endings = endings_of_frames();
+  std::erase_if(endings, [](const std::string& ending) {
+    return find_picture_format(ending.substr(1))->of_film != nullptr;
+  });
+  return endings;
+}
+
 Result<const PictureFormat*> picture_format(const std::string& name, const Place& where) {
   if (const PictureFormat* format = find_picture_format(name)) return format;
   if (const auto problem = if_left_out(where, "picture", name))

@@ -12,6 +12,10 @@ namespace flatray {
 /// Error   Trouble::usage for a name that no format has; Trouble::unavailable for one left out.
 Result<const PictureFormat*> picture_format(const std::string& name, const Place& where);
 
+/// How files of one frame end (arguments.h's Words): those of pictures; of films of light, too.
+std::vector<std::string> endings_of_pictures();
+std::vector<std::string> endings_of_frames();
+
 /// Where in a text the number of a frame goes; nowhere without a length.
 struct FramePlace {
   std::size_t at = 0, length = 0;

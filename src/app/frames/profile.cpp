@@ -182,7 +182,7 @@ std::string profile_text(const Scene& scene, std::span<const ChoiceReport> repor
 }
 
 void ProfileOptions::rows(OptionTable& row, LightWish& light) {
-  row("--profile FILE", "written by flatray accuracy: choose by it how to draw", file);
+  row("--profile FILE.json", "written by flatray accuracy: choose by it how to draw", file);
   row("--error E",
       "light: rays until its relative error is E; with --profile: the cheapest way to draw so");
   row("--time S",

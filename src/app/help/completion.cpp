@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/files/output_pattern.h"
 #include "app/options/option_values.h"
 #include "app/options/places.h"
@@ -78,9 +80,18 @@ std::vector<std::string> keys_to_set() {
   return keys;
 }
 
+bool is_ending(const std::string& word) { return word.starts_with("."); }
+
+// What stands for others, as V and N.
+bool is_upper(std::string_view word) {
+  return std::ranges::all_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
 void add(Completion& completion, const CommandLine& line, const std::vector<std::string>& words) {
   for (const std::string& word : words)
-    if (word.starts_with(line.last) && shown_text(word) == word)  // else no line holds it
+    if (is_ending(word))
+      completion.extensions.push_back(word.substr(1));
+    else if (word.starts_with(line.last) && shown_text(word) == word)  // else no line holds it
       completion.candidates.push_back({line.before_value + word, ""});
 }
 
@@ -98,18 +109,21 @@ void add_values(Completion& completion, const CommandLine& line, const std::stri
     completion.extensions = {"jsonl", "json"};
     return;
   }
-  if (const auto parts = split(what, '|'); parts.size() > 1)
+  if (auto parts = split(what, '|'); parts.size() > 1) {
+    std::erase_if(parts, &is_upper);
     return add(completion, line, {parts.begin(), parts.end()});
+  }
   if (what == "SCENE") return add_scene_files(completion);
   if (what == "ENTITY")
     return add(completion, line, names_in_scene(line, [](const Scene& s) { return s.entities; }));
   if (what == "RAY")
     return add(completion, line, names_in_scene(line, [](const Scene& s) { return s.rays; }));
-  if (what == "KEY=VALUE") return add(completion, line, keys_to_set());
+  if (what.starts_with("KEY=")) return add(completion, line, keys_to_set());
   if (what == "FOLDER" || what == "DIR") completion.folders = true;
   if (what == "PATTERN") completion.extensions = picture_format_names();
   const std::size_t dot = what.find('.');
-  if (dot != std::string::npos) completion.extensions = {what.substr(dot + 1)};
+  if (dot != std::string::npos && is_upper(what.substr(0, dot)))
+    completion.extensions = {what.substr(dot + 1)};
 }
 
 void complete_operand(Completion& completion, const CommandLine& line, const Verb& verb) {
@@ -121,8 +135,10 @@ void complete_operand(Completion& completion, const CommandLine& line, const Ver
     return;
   }
   if (line.operands.size() >= verb.most_operands()) return;
+  const bool named =
+      verb.words != nullptr && (line.operands.empty() || is_ending(verb.words().front()));
   add_values(completion, line, operand_word(verb, line.operands.size()),
-             line.operands.empty() ? verb.words : nullptr);
+             named ? verb.words : nullptr);
 }
 
 }  // namespace

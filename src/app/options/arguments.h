@@ -20,7 +20,8 @@ enum class OptionKind : std::uint8_t {
   flag   ///< no value
 };
 
-/// Names known only at run time, for completion: those of the metrics in this build.
+/// Names known only at run time, for completion: those of the metrics in this build; or how files
+/// end, each with its dot: ".png".
 using Words = std::vector<std::string> (*)();
 
 /// One option of a verb: what is parsed, shown by --help, suggested for a misspelt one and read
@@ -32,7 +33,7 @@ struct Option {
   std::string metavar;  ///< what stands for the value in the help: "N", "png|hdr"; "" for a flag
   std::string help;     ///< one line, no full stop
   OptionKind kind = OptionKind::text;
-  Words words = nullptr;  ///< its values, where they are names
+  Words words = nullptr;  ///< its values, where they are names or files
 
   /// Whether values of the command line, the environment and files go together, key by key.
   bool has_keys() const { return metavar == "KEY=VALUE"; }

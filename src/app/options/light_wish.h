@@ -11,7 +11,8 @@ namespace flatray {
 struct RenderJob;
 
 inline constexpr SharedRow kErrorImageRow = {
-    "--error-image PATTERN", "where the error of light goes: half of 95 % intervals"};
+    "--error-image PATTERN", "where the error of light goes: half of 95 % intervals",
+    &endings_of_pictures};
 
 /// What the command line says of light.
 struct LightWish {

@@ -32,6 +32,7 @@ inline Result<std::string> as_text(const std::string& text, const Place&) { retu
 /// A row without a value of its own, which several verbs have.
 struct SharedRow {
   const char *spelling, *help;
+  Words words = nullptr;
 };
 
 /// The options of a verb: each row says how one is written, what it is for, and which member takes
@@ -63,7 +64,7 @@ class OptionTable {
 
   /// A row whose value is read later, by `read`.
   void operator()(const char* spelling, std::string help, Words words = nullptr);
-  void operator()(const SharedRow& shared) { (*this)(shared.spelling, shared.help); }
+  void operator()(const SharedRow& shared) { (*this)(shared.spelling, shared.help, shared.words); }
   /// A flag.
   void operator()(const char* spelling, std::string help, bool& member);
   /// Text as it is.

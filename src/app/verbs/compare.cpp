@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/files/output_pattern.h"
 #include "app/files/outputs.h"
 #include "app/files/scene_input.h"
 #include "app/options/places.h"
@@ -251,6 +252,7 @@ extern const Verb entry = {"compare",
                            kCommand<Options, &run>,
                            "  flatray compare out/a.png out/b.png --diff out/diff.png\n"
                            "  flatray compare out/demo out/demo_of_yesterday --metric psnr\n",
-                           "nothing compared"};
+                           "nothing compared",
+                           &endings_of_pictures};
 
 }  // namespace flatray::compare_verb

@@ -52,7 +52,7 @@ struct Options : Arguments {
 
   void rows(OptionTable& row) {
     row("-o, --output OUT.film", "where to: all.film, or a picture .png, .hdr, .pfm", output,
-        &parse_target);
+        &parse_target, &endings_of_frames);
     row("--exposure E", "of a .png: what light of 1 is shown as, or auto, instead of the scene's",
         exposure, &parse_exposure);
     row("--tone", "of a .png, instead of the scene's", tone, kToneCurves);
