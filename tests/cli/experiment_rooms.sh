@@ -26,6 +26,12 @@ says err "was kept by another run: its count is 100000000, not 20000"
 run 0 verify half
 blocks=$(($(wc -l < half/mean-free-path.blocks) - 1))
 says out "$blocks record"
+# What a power cut leaves of a line is told, and the blocks before it count.
+cp -r half torn
+printf '7,0.25' >> torn/mean-free-path.blocks
+run 1 verify torn
+says out 'torn/mean-free-path.blocks: ends within a line'
+says out "$blocks record"
 # A number of a block that was changed is told.
 cp -r half changed
 sed -i '2s/,/,1/' changed/mean-free-path.blocks

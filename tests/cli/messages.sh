@@ -5,7 +5,9 @@ leaks=looked_for
 source "$(dirname "$0")/lib.sh"
 scene scene.toml 3
 run 2 render scene.toml --shard 0/99999999
-says err "'0/99999999' has more shards than a scene has frames"
+says err "'0/99999999' has too many shards"
+run 2 render scene.toml --ray-shard 0/18446744073709551616 -o shard.film
+says err "'0/18446744073709551616' has too many shards"
 run 2 render scene.toml -o "$(printf 'd/%.0s' {1..1600})a.png"
 says err "the path has 3205 bytes"
 run 2 accuracy scene.toml --budget 1e9

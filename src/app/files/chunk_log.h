@@ -77,6 +77,10 @@ class ChunkLog {
   }
   /// Appends a row.
   Result<void> add(const Key& key, const Row& row, double seconds);
+  /// Takes away what does not count of a last row.
+  Result<void> mend() const {
+    return journal_ && !rows_.empty() ? journal_->mend() : Result<void>();
+  }
 
  private:
   explicit ChunkLog(const Format& format) : format_(format) {}
@@ -159,7 +163,7 @@ class TallyLog {
                                  time.count() / static_cast<double>(round.size())));
         }
     }
-    return {};
+    return log_.mend();
   }
 
  private:

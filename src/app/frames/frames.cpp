@@ -73,7 +73,7 @@ Result<Shard> parse_shard(std::string_view text, const Place& where) {
   if (!index || !count)
     return usage_error(where, fmt::format("'{}' is not I/N", text), "as 0/3, 1/3 and 2/3");
   if (*count > kLastFrame)
-    return usage_error(where, fmt::format("'{}' has more shards than a scene has frames", text),
+    return usage_error(where, fmt::format("'{}' has too many shards", text),
                        fmt::format("N is {} at most", kLastFrame));
   if (*count < 1 || *index >= *count)
     return usage_error(where, fmt::format("there is no shard {}", text), "I runs from 0 to N - 1");

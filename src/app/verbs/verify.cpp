@@ -145,12 +145,14 @@ class FolderCheck {
     const std::string name = path.filename();
     if (path.extension() == ".blocks") {
       found_ = true;
-      if (const auto text = read_regular_file(path); !text)
-        tell(text.error());
-      else if (!are_blocks(*text))
+      const auto text = read_regular_file(path);
+      if (!text) return tell(text.error());
+      check_end(path, *text);
+      const std::string whole = text->substr(0, text->rfind('\n') + 1);
+      if (!are_blocks(whole))
         tell(path, "is not what an experiment keeps, or was changed");
       else  // a block a line, but the first
-        rows_ += static_cast<std::size_t>(std::max(std::ranges::count(*text, '\n') - 1, {}));
+        rows_ += static_cast<std::size_t>(std::max(std::ranges::count(whole, '\n') - 1, {}));
     } else if (is_picture(path)) {
       if (!records_.contains(name) && !errors_.contains(name)) pictures_.push_back(path);
     }
