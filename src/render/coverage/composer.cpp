@@ -48,7 +48,7 @@ Light ItemLook::at(int x, int y, int film_width) const {
 
 std::uint32_t SeenItems::add_part(const ItemLook& look, const Light& light, int winding) {
   items.push_back({&look, winding, light});
-  on_whole_ = false;
+  has_part_ = true, on_whole_ = false;
   return static_cast<std::uint32_t>(items.size() - 1);
 }
 
@@ -62,7 +62,7 @@ void SeenItems::add_whole(const ItemLook& look, const Light& light) {
     items.back().light = over(light, items.back().light);
   } else {
     items.push_back({&look, 1, light});
-    on_whole_ = blends;
+    on_whole_ = blends && has_part_;
   }
 }
 

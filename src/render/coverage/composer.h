@@ -58,11 +58,16 @@ class SeenItems {
   Light ground{};  ///< below them all
 
   /// Forgets all items.
-  void begin(const Light& background) { items.clear(), ground = background, on_whole_ = false; }
+  void begin(const Light& background) {
+    items.clear();
+    ground = background;
+    has_part_ = on_whole_ = false;
+  }
   /// Adds an item that covers a part of the pixel, above all others. Gives its number.
   std::uint32_t add_part(const ItemLook& look, const Light& light, int winding);
-  /// Adds one that covers all of the pixel. Those that follow one another are kept as one light, as
-  /// part of the ground where nothing else is below them.
+  /// Adds one that covers all of the pixel. Those that follow one another above a part are kept as one
+  /// light; those with nothing else below them become part of the ground. Pixels without parts have
+  /// the very light of other back ends.
   void add_whole(const ItemLook& look, const Light& light);
   /// After `items` are changed.
   void place_all();
@@ -88,7 +93,7 @@ class SeenItems {
   std::size_t next_inside(std::size_t from) const;
   std::size_t uppermost_opaque() const;
 
-  bool on_whole_ = false;  ///< the uppermost covers all, and others like it may be laid on it
+  bool has_part_ = false, on_whole_ = false;  ///< the uppermost is such a light
   std::vector<std::uint64_t> inside_, opaque_;
   std::size_t lowest_ = 0;  ///< that showed when composed() looked
 };
