@@ -82,7 +82,7 @@ flatray convert ROOM.chamber room.toml writes all of it as a scene to go on with
   --max-memory    of the program, as 500M or 2G; --max-seconds: none
 A scene keeps about 24 bytes a corner and 600 an entity, a frame 60 bytes a corner drawn,
 twice where frames follow one another; chains at most 64 MB of states, and 32 bytes each.
-Reading TOML takes some 35 bytes for each of its own, until the scene is there.
+Reading takes some 35 bytes for each of TOML, 300 for each of HQZ's JSON, until the scene is there.
 flatray render --dry-run SCENE says what pictures take besides.
 )"},
     {"markov", "chains that choose looks at random, by the seed",

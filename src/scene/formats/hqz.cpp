@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
-#include <set>
+#include <algorithm>
+#include <iterator>
+#include <map>
 
 #include "scene/imports/hqz_scene.h"
 #include "scene/reading/format.h"
@@ -25,10 +27,13 @@ std::vector<std::pair<std::size_t, std::size_t>> scenes_in(const SourcePtr& sour
   return {{0, text.size()}};
 }
 
+// Numbers that are kept, each of which may be another in every line.
+constexpr std::uint64_t kOfObject = 4, kOfLight = 12;
+
 Result<SceneDesc> read(const SourcePtr& source, const LoadLimits& limits) {
   std::vector<HqzScene> scenes;
   Diagnostics warnings, problems;
-  std::uint64_t objects = 0;
+  std::uint64_t numbers = 0;
   for (const auto& [begin, end] : scenes_in(source)) {
     FLATRAY_TRY(value, json_value(source, begin, end));
     Result<HqzScene> scene = read_hqz_scene(*value, limits, warnings);
@@ -36,11 +41,12 @@ Result<SceneDesc> read(const SourcePtr& source, const LoadLimits& limits) {
       for (Diagnostic& one : scene.error()) problems.push_back(std::move(one));
       continue;
     }
-    objects += scene->objects.size();
-    if (objects > limits.max_corners)
+    numbers += kOfObject * scene->objects.size() + kOfLight * scene->lights.size();
+    if (numbers > limits.max_corners)
       return fail(scene->where,
-                  fmt::format("more than {} objects in all lines", limits.max_corners),
-                  "--max-corners raises the limit");
+                  fmt::format("objects and lights come to more than {} numbers up to here",
+                              limits.max_corners),
+                  "write fewer, or say --max-corners N");
     scenes.push_back(std::move(*scene));
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));
@@ -48,9 +54,18 @@ Result<SceneDesc> read(const SourcePtr& source, const LoadLimits& limits) {
   Result<SceneDesc> desc = describe_hqz(std::move(scenes), warnings);
   if (!desc) return desc;
   // Of what all lines have in common the first is told.
-  std::set<std::string> told;
-  for (Diagnostic& one : warnings)
-    if (told.insert(one.message).second || !many) desc->warnings.push_back(std::move(one));
+  const std::size_t most = many ? 1 : kMostProblems;
+  std::map<std::string, Diagnostics> alike;
+  for (Diagnostic& one : warnings) alike[one.message].push_back(std::move(one));
+  for (auto& [message, all] : alike) {
+    std::ranges::stable_sort(all, {}, [](const Diagnostic& one) { return one.where.offset; });
+    const std::size_t told = std::min(all.size(), most);
+    std::move(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(told),
+              std::back_inserter(desc->warnings));
+    if (all.size() > told && !many)
+      desc->warnings.push_back(
+          {all[told].where, fmt::format("{} more like this: {}", all.size() - told, message), {}});
+  }
   return desc;
 }
 

@@ -59,10 +59,13 @@ struct Track {
 // A number, or a curve that stays from frame to frame.
 Value written(const Track& track) {
   if (track.steps.size() == 1) return built_in_number(track.steps[0].value);
-  std::vector<Value> keys;
+  std::vector<double> numbers;
   for (const auto& [frame, value] : track.steps)
-    keys.push_back(
-        pair(built_in_number(static_cast<double>(frame) / kFps), built_in_number(value)));
+    numbers.insert(numbers.end(), {static_cast<double>(frame) / kFps, value});
+  std::vector<Value> values = built_in_numbers(numbers), keys;
+  keys.reserve(track.steps.size());
+  for (std::size_t i = 0; i < values.size(); i += 2)
+    keys.push_back(pair(std::move(values[i]), std::move(values[i + 1])));
   return table_of({}, member("keys", array_value({}, std::move(keys))),
                   member("ease", word("step")));
 }
@@ -114,6 +117,7 @@ class HqzWriter {
       check_alike(scene);
       const double brighter = exposure_of(scene) / exposure;
       for (const HqzLight& light : scene.lights) add_light(light, brighter);
+      std::vector<HqzLight>().swap(scene.lights);
       scene.objects = without_overlaps(std::move(scene.objects), warnings_);
       for (const HqzObject& object : scene.objects) add_wall(object, scene);
       lamps_used_.clear(), walls_used_.clear();

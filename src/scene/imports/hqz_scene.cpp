@@ -12,6 +12,8 @@ namespace flatray {
 namespace {
 
 constexpr double kFarthestHqz = 1e12;  // products of two stay exact enough to be decided on
+constexpr double kMostDegrees =
+    360'000;  // of a normal, and of its turn: mirror_turn of mix holds both
 // The keys of every scene, and what each may be.
 constexpr std::pair<std::string_view, const char*> kNeeded[] = {
     {"resolution", "[1920, 1080]"},
@@ -249,11 +251,12 @@ class HqzReader {
     std::size_t index;
     const char* name;
     HqzRange* range;
+    double most = kFarthestHqz;
   };
   bool numbers(const Value& value, std::initializer_list<Numbered> parts) {
     bool right = true;
-    for (const auto& [index, name, range_of] : parts) {
-      const auto read = range(value.items[index], name);
+    for (const auto& [index, name, range_of, most] : parts) {
+      const auto read = range(value.items[index], name, -most, most);
       right = right && read.has_value();
       if (read) *range_of = *read;
     }
@@ -307,10 +310,10 @@ class HqzReader {
                                                     {4, "dy", &object.dy}})
                                   : numbers(value, {{1, "x", &object.x},
                                                     {2, "y", &object.y},
-                                                    {3, "angle", &normal.angle},
+                                                    {3, "angle", &normal.angle, kMostDegrees},
                                                     {4, "dx", &object.dx},
                                                     {5, "dy", &object.dy},
-                                                    {6, "turn", &normal.turn}});
+                                                    {6, "turn", &normal.turn, kMostDegrees}});
     const auto material = number(value.items[0], "material", 0, kFarthestHqz);
     if (!material || !right) return;
     const double most = static_cast<double>(scene.materials.size());

@@ -22,9 +22,9 @@ std::optional<Wall> wall_of(const std::vector<HqzObject>& objects, std::size_t i
       !object.dy.is_number())
     return std::nullopt;
   Wall wall{i, {object.x.low, object.y.low}, {}, 0, 0, false};
-  const Vec2 along(object.dx.low, object.dy.low);
-  wall.to = wall.from + along;
+  wall.to = wall.from + Vec2(object.dx.low, object.dy.low);
   if (wall.from == wall.to) return std::nullopt;
+  const Vec2 along = wall.to - wall.from;
   wall.steep = std::abs(along.y()) > std::abs(along.x());
   const int major = wall.steep ? 1 : 0;
   wall.slope = along[1 - major] / along[major];
@@ -41,34 +41,49 @@ struct Part {
   Vec2 from, to;
 };
 
-// What earlier walls of one line leave of one, by their major axis.
-std::vector<Part> uncovered(const Part& whole, const std::vector<Part>& covers, int major) {
-  const auto before = [&](const Vec2& a, const Vec2& b) { return a[major] < b[major]; };
-  std::vector<Part> left{whole};
-  for (const Part& cover : covers) {
-    std::vector<Part> next;
-    for (const Part& part : left) {
-      if (!(before(cover.from, part.to) && before(part.from, cover.to))) {
-        next.push_back(part);
-        continue;
-      }
-      if (before(part.from, cover.from)) next.push_back({part.from, cover.from});
-      if (before(cover.to, part.to)) next.push_back({cover.to, part.to});
+// Where walls of one line lie, by their major axis: parts in order that share ends at most.
+class Covered {
+ public:
+  explicit Covered(int major) : major_(major) {}
+
+  // What was left of `whole`, which is covered from now on.
+  std::vector<Part> add(const Part& whole) {
+    const auto at = [&](const Vec2& point) { return point[major_]; };
+    const auto ends_before = [&](const Part& part) { return at(part.to) <= at(whole.from); };
+    const auto first = std::partition_point(parts_.begin(), parts_.end(), ends_before);
+    auto last = first;
+    std::vector<Part> left;
+    Part all = whole;
+    Vec2 from = whole.from;
+    for (; last != parts_.end() && at(last->from) < at(whole.to); ++last) {
+      if (at(from) < at(last->from)) left.push_back({from, last->from});
+      from = last->to;
+      if (at(last->from) <= at(all.from)) all.from = last->from;
+      if (at(last->to) >= at(all.to)) all.to = last->to;
     }
-    left = std::move(next);
+    if (at(from) < at(whole.to)) left.push_back({from, whole.to});
+    if (first == last) {
+      parts_.insert(first, all);
+    } else {
+      *first = all;
+      parts_.erase(first + 1, last);
+    }
+    return left;
   }
-  return left;
-}
+
+ private:
+  int major_;
+  std::vector<Part> parts_;
+};
 
 void cut(const std::vector<Wall>& line, const std::vector<HqzObject>& objects,
          std::vector<std::vector<HqzObject>>& parts, Diagnostics& warnings) {
   const int major = line.front().steep ? 1 : 0;
-  std::vector<Part> covers;
+  Covered covered(major);
   for (const Wall& wall : line) {
     Part whole{wall.from, wall.to};
     if (whole.from[major] > whole.to[major]) std::swap(whole.from, whole.to);
-    const std::vector<Part> left = uncovered(whole, covers, major);
-    covers.push_back(whole);
+    const std::vector<Part> left = covered.add(whole);
     if (left.size() == 1 && left[0].from == whole.from && left[0].to == whole.to) continue;
     const HqzObject& object = objects[wall.object];
     warnings.push_back({object.where, "a part of this object lies on one before it",

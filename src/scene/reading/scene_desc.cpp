@@ -40,14 +40,20 @@ std::string_view source_text(const Value& value) {
   return text.substr(std::min(value.where.offset, text.size()), value.where.length);
 }
 
-Value built_in_number(double finite) {
-  std::string digits = number_text(finite);
-  const std::size_t length = digits.size();
-  return {Value::Kind::number,
-          {std::make_shared<const SourceText>("built in", std::move(digits)), 0, length},
-          {},
-          {},
-          {}};
+Value built_in_number(double finite) { return built_in_numbers({&finite, 1}).front(); }
+
+std::vector<Value> built_in_numbers(std::span<const double> finite) {
+  std::string digits;
+  std::vector<std::size_t> ends;
+  for (const double number : finite) ends.push_back((digits += number_text(number)).size());
+  const auto source = std::make_shared<const SourceText>("built in", std::move(digits));
+  std::vector<Value> values;
+  values.reserve(finite.size());
+  for (std::size_t begin = 0; const std::size_t end : ends) {
+    values.push_back({Value::Kind::number, {source, begin, end - begin}, {}, {}, {}});
+    begin = end;
+  }
+  return values;
 }
 
 Value string_value(Place where, std::string text) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,8 @@ std::string_view source_text(const Value& value);
 
 /// Values no one wrote, for importers: their source is called "built in".
 Value built_in_number(double finite);
+/// Many of them, which share one text.
+std::vector<Value> built_in_numbers(std::span<const double> finite);
 Value string_value(Place where, std::string text);
 Value table_value(Place where, std::vector<Member> members);
 Value array_value(Place where, std::vector<Value> items);

@@ -1,8 +1,12 @@
 // needs: formats/hqz lamps/ranges materials/mix shapes/segment
 // Scenes of HQZ, and what is made of them.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "base/philox.h"
+#include "base/processor_time.h"
 #include "scene/curve.h"
 #include "scene/lamp.h"
 #include "scene/scatterer.h"
@@ -141,6 +145,71 @@ TEST(HqzFormat, WallsThatLieOnOneAnotherAreOne) {
             std::string::npos);
 }
 
+using Ends = std::vector<std::pair<std::size_t, std::size_t>>;  // of walls on one line
+
+// By cells from 0 to 32: each belongs to the first wall that covers it.
+Ends without_overlaps_by_cells(const Ends& walls) {
+  Ends parts;
+  std::array<bool, 32> taken{};
+  for (const auto& [from, to] : walls) {
+    std::array<bool, 32> own{};
+    for (std::size_t i = std::min(from, to); i < std::max(from, to); ++i)
+      own[i] = !std::exchange(taken[i], true);
+    for (std::size_t i = 0, begin = 0; i < 32; ++i) {
+      if (own[i] && (i == 0 || !own[i - 1])) begin = i;
+      if (own[i] && (i == 31 || !own[i + 1])) parts.emplace_back(begin, i + 1);
+    }
+  }
+  std::ranges::sort(parts);
+  return parts;
+}
+
+TEST(HqzFormat, WhateverLiesOnWhatEachPlaceBelongsToTheFirstWall) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    std::uint64_t draw = 0;
+    const auto below = [&](std::size_t n) {
+      return std::size_t{random_bits(seed, Stream::test, draw++, 0) % n};
+    };
+    const bool steep = below(2) == 1;
+    const auto place = [&](std::size_t along) {
+      const auto t = static_cast<double>(along);
+      return steep ? Vec2(3 - t, 2 * t) : Vec2(2 * t, 5 + t);
+    };
+    Ends walls;
+    std::string objects;
+    for (std::size_t i = 2 + below(16); i > 0; --i) {
+      const std::size_t from = below(33), to = (from + 1 + below(32)) % 33;
+      walls.emplace_back(from, to);
+      const Vec2 at = place(from), along = place(to) - at;
+      objects += fmt::format("{}[0, {}, {}, {}, {}]", objects.empty() ? "" : ", ", at.x(), at.y(),
+                             along.x(), along.y());
+    }
+    Ends parts;
+    const Scene scene = hqz_scene(hqz_text(kLight, objects, R"([[1, "d"]])")).scene;
+    for (const Entity& entity : scene.entities) {
+      const Segment& wall = scene.shapes[entity.shape].segments.at(0);
+      const auto cell = [&](const Vec2& end) {
+        return static_cast<std::size_t>(steep ? 3 - end.x() : end.x() / 2);
+      };
+      parts.push_back(std::minmax({cell(wall.a), cell(wall.b)}));
+    }
+    std::ranges::sort(parts);
+    EXPECT_EQ(parts, without_overlaps_by_cells(walls)) << seed << ": " << objects;
+  }
+}
+
+// Short walls apart from one another, then long ones over all of them: 28 s before they were looked up.
+TEST(HqzFormat, ThousandsOfWallsOnALineTakeNoTime) {
+  std::string objects;
+  for (int i = 0; i < 4096; ++i)
+    objects += i < 2048 ? fmt::format("[0, {}, 0, 1, 0], ", 2 * i)
+                        : fmt::format("[0, {}, 0, {}, 0], ", -i, 2 * i + 5000);
+  objects.resize(objects.size() - 2);
+  const double begin = thread_seconds();
+  hqz_scene(hqz_text(kLight, objects, R"([[1, "d"]])"));
+  EXPECT_LE(thread_seconds() - begin, 10);
+}
+
 TEST(HqzFormat, WhatIsNotHonouredIsTold) {
   const std::string told =
       format(hqz_scene(hqz_text("[[1, 3], 0, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0, 100]",
@@ -156,6 +225,16 @@ TEST(HqzFormat, WhatIsNotHonouredIsTold) {
         "debug is not honoured", "power is not drawn", "light of 100 nm is not seen",
         "an object without length", "its middle is taken", "unknown outcome"})
     EXPECT_NE(told.find(part), std::string::npos) << part << "\n" << told;
+}
+
+TEST(HqzFormat, OfManyWarningsAlikeTwentyAreTold) {
+  std::string objects = "[0, 0, 0, 10, 0]";
+  for (int i = 0; i < 50; ++i) objects += ", [0, 0, 0, 10, 0]";
+  const Diagnostics warnings =
+      hqz_scene(hqz_text(kLight, objects, R"([[1, "d"]])", R"(, "debug": 1)")).warnings;
+  ASSERT_EQ(warnings.size(), 22U);
+  EXPECT_EQ(warnings.back().message,
+            "30 more like this: a part of this object lies on one before it");
 }
 
 TEST(HqzFormat, MistakesAreToldWhereTheyStand) {
@@ -184,6 +263,10 @@ TEST(HqzFormat, MistakesAreToldWhereTheyStand) {
       {with(light, "[1, 0, 0, 1, 1]", "[]"), "t.json:3:2: error: there is no such material"},
       {with(light, "[0.5, 0, 0, 1, 1]", "[]"), "there is no such material"},
       {with(light, "[-1, 0, 0, 1, 1]", "[]"), "material does not lie between"},
+      {with(light, "[0, 0, 0, 1e12, 1, 0, 0]", "[[1, \"r\"]]"),
+       "t.json:3:11: error: angle does not lie between -360000 and 360000"},
+      {with(light, "[0, 0, 0, 0, 1, 0, -4e5]", "[[1, \"r\"]]"),
+       "t.json:3:20: error: turn does not lie between"},
       {with(light, "[0, 0, 0, 1]", "[]"), "an object is no list of 5 or 7 numbers"},
       {with(light, "", "[[-1, \"d\"]]"), "a probability does not lie between"},
       {with(light, "", "[5]"), "an outcome is a probability and what comes"},
@@ -201,12 +284,30 @@ TEST(HqzFormat, MistakesAreToldWhereTheyStand) {
       std::ranges::is_sorted(all.error(), {}, [](const Diagnostic& d) { return d.where.offset; }));
 }
 
+// Both ends of the mirror_turn that is made of them are one that `mix` takes.
+TEST(HqzFormat, TheLargestNormalsAreTaken) {
+  for (const char* sign : {"", "-"})
+    hqz_scene(hqz_text(kLight, fmt::format("[0, 0, 0, {}360000, 0, -1, {}360000]", sign, sign),
+                       R"([[1, "r"]])"));
+}
+
 TEST(HqzFormat, LimitsNameTheirOptions) {
   LoadLimits limits;
   limits.max_entities = 2;
   const auto many = hqz(hqz_text(kLight, "[0,0,0,1,0],[0,0,1,1,0],[0,0,2,1,0]", "[]"), limits);
   ASSERT_FALSE(many);
   EXPECT_NE(format(many.error()).find("--max-entities raises the limit"), std::string::npos);
+  // 12 numbers of a light and 4 of a wall in each line.
+  const std::string line = hqz_text(kLight, "[0, 0, 0, 4, 0]", R"([[1, "d"]])");
+  limits.max_corners = 47;
+  EXPECT_TRUE(hqz(line + "\n" + line, limits));
+  const auto lines = hqz(line + "\n" + line + "\n" + line, limits);
+  ASSERT_FALSE(lines);
+  EXPECT_TRUE(format(lines.error())
+                  .starts_with("t.json:3:1: error: objects and lights come to more "
+                               "than 47 numbers up to here"))
+      << format(lines.error());
+  EXPECT_NE(format(lines.error()).find("--max-corners N"), std::string::npos);
 }
 
 TEST(HqzFormat, ShareOfOutcomesEndsAtOne) {
