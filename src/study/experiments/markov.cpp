@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/number_text.h"
+#include "base/portable_math.h"
 #include "base/table.h"
 #include "study/experiment.h"
 #include "study/plots/state_graph.h"
@@ -13,21 +15,30 @@
 namespace flatray::markov_experiment {
 namespace {
 
-constexpr double kSigmas = 4;                  // by which an observation may miss what is expected
-constexpr std::size_t kMostStates = 64;        // solved exactly within seconds
-constexpr std::size_t kLongestFraction = 100;  // shown; longer ones are given as decimals only
+constexpr double kRunsAFalseAlarm = 10'000;  // of draws that are right
+constexpr std::size_t kMostStates = 64;  // solved exactly: half a minute where rows have 17 digits
+constexpr std::size_t kLongestFraction = 100;     // shown; longer ones are given as decimals only
 constexpr std::uint64_t kMostSteps = 1ULL << 32;  // walked for one chain and start
 constexpr double kLongestMean = 0x1p24;           // of walks that are observed at all
 // From any state a walk is over within twice the largest mean with odds of at least 1/2 (Markov's
 // inequality), so after 256 means it goes on with odds below 2^-128.
 constexpr double kMeansUntilGivenUp = 256;
 
-// Standard errors by which a sum of that variance may miss what is expected: more where hardly ever something is
-// added, of a size of `one` (Bernstein's inequality).
-double allowed_z(double variance, double one) {
-  if (variance == 0) return kSigmas;
-  const double rare = kSigmas * kSigmas / 6 * one;
-  return (rare + std::sqrt(rare * rare + kSigmas * kSigmas * variance)) / std::sqrt(variance);
+// How many observations a chain gives: each start, and each way out of a state that has several.
+std::size_t observations(const MarkovChain& chain) {
+  std::size_t count = 0;
+  for (StateId from = 0; from < chain.rows.size(); ++from) {
+    const std::vector<Transition>& row = chain.rows[from];
+    if (row.size() > 1 || row[0].to != from) ++count;
+    if (row.size() > 1) count += row.size();
+  }
+  return count;
+}
+
+// Standard errors by which one of `count` observations may miss what is expected: normal numbers lie
+// beyond k with odds below exp(-k^2 / 2).
+double allowed_sigmas(std::size_t count) {
+  return std::sqrt(2 * portable::log(kRunsAFalseAlarm * static_cast<double>(count)));
 }
 
 double z_score(double difference, double standard_error) {
@@ -36,7 +47,10 @@ double z_score(double difference, double standard_error) {
 
 class Study {
  public:
-  explicit Study(const ExperimentContext& context) : context_(context) {}
+  explicit Study(const ExperimentContext& context) : context_(context) {
+    for (const MarkovChain& chain : context.scene.chains) observations_ += observations(chain);
+    sigmas_ = allowed_sigmas(std::max<std::size_t>(observations_, 1));
+  }
 
   void add(std::uint32_t index) {
     const MarkovChain& chain = context_.scene.chains[index];
@@ -83,7 +97,8 @@ class Study {
   WalkCounts add_starts(std::uint32_t index, const StepMatrix& given, const StepMatrix& drawn) {
     const MarkovChain& chain = context_.scene.chains[index];
     const std::vector<bool> absorbing = absorbing_states(given);
-    const auto truth = steps_to_absorption(given), table = steps_to_absorption(drawn);
+    const auto truth = steps_to_absorption(given, absorbing),
+               table = steps_to_absorption(drawn, absorbing);
     double longest = 0;
     for (const std::optional<Absorption>& from : truth)
       if (from) longest = std::max(longest, from->expected.nearest());
@@ -124,6 +139,14 @@ class Study {
       all += counts;
     }
     starts_.add(std::move(row));
+  }
+
+  // The same of a sum of that variance: more where hardly ever something is added, of a size of `one`
+  // (Bernstein's inequality).
+  double allowed_z(double variance, double one) const {
+    if (variance == 0) return sigmas_;
+    const double rare = sigmas_ * sigmas_ / 6 * one;
+    return (rare + std::sqrt(rare * rare + sigmas_ * sigmas_ * variance)) / std::sqrt(variance);
   }
 
   static std::string absorbing_names(const WalkPlan& plan) {
@@ -178,14 +201,15 @@ class Study {
   std::string summary() const {
     return fmt::format(
         "Steps to an absorbing state, {} walks from each start, seed {}\n\n{}\n"
-        "Transitions taken, all starts together\n\n{}\n{}: largest |z| {:.3g}, {} allowed, more of "
-        "steps hardly ever taken{}\n",
+        "Transitions taken, all starts together\n\n{}\n{}: largest |z| {:.3g}, {:.3g} allowed of "
+        "{}, "
+        "more of steps hardly ever taken{}\n",
         context_.count, context_.seed, aligned_text(starts_, kBrief),
         aligned_text(transitions_, kBrief),
         disagreements_ > 0 ? "DISAGREES with the closed form"
         : not_walked_ > 0  ? "not all shown to agree with the closed form"
                            : "agrees with the closed form",
-        worst_, kSigmas,
+        worst_, sigmas_, counted(observations_, "observation"),
         not_walked_ == 0 ? ""
                          : fmt::format("; {} not observed, as the mean is beyond {:.0f} steps",
                                        counted(not_walked_, "start"), kLongestMean));
@@ -196,6 +220,8 @@ class Study {
                  "standard_error", "z", "walks", "agrees"}};
   Table transitions_{
       {"chain", "from", "to", "given", "probability", "observed", "visits", "z", "agrees"}};
+  std::size_t observations_ = 0;
+  double sigmas_ = 0;  // that may lie between one of them and what is expected
   double worst_ = 0;
   std::uint64_t disagreements_ = 0, not_walked_ = 0;
   ExperimentResult result_;

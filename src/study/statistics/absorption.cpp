@@ -130,8 +130,8 @@ std::vector<bool> absorbing_states(const StepMatrix& steps) {
   return absorbing;
 }
 
-std::vector<std::optional<Absorption>> steps_to_absorption(const StepMatrix& steps) {
-  const std::vector<bool> absorbing = absorbing_states(steps);
+std::vector<std::optional<Absorption>> steps_to_absorption(const StepMatrix& steps,
+                                                           const std::vector<bool>& absorbing) {
   std::vector<bool> hopeless = reaching(steps, absorbing);
   hopeless.flip();
   const std::vector<bool> uncertain = reaching(steps, hopeless);

@@ -9,9 +9,13 @@ namespace {
 
 using namespace flatray::testing;
 
+std::vector<std::optional<Absorption>> steps_to_end(const StepMatrix& steps) {
+  return steps_to_absorption(steps, absorbing_states(steps));
+}
+
 std::vector<std::string> expected_texts(const StepMatrix& steps) {
   std::vector<std::string> texts;
-  for (const std::optional<Absorption>& from : steps_to_absorption(steps))
+  for (const std::optional<Absorption>& from : steps_to_end(steps))
     texts.push_back(from ? from->expected.text() : "infinite");
   return texts;
 }
@@ -68,7 +72,7 @@ TEST(Absorption, FractionsThatDoNotSumToOneAreNotBelieved) {
 // A geometric wait: mean 1/p, variance (1 - p)/p^2.
 TEST(Absorption, AWaitIsGeometric) {
   const MarkovChain wait = chain_of("wait", {"WAIT", "END"}, {{"6/7", "1/7"}, {"0", "1"}});
-  const Absorption found = steps_to_absorption(*given_probabilities(wait))[0].value();
+  const Absorption found = steps_to_end(*given_probabilities(wait))[0].value();
   EXPECT_EQ(found.expected.text(), "7");
   EXPECT_EQ(found.variance.text(), "42");
 }
@@ -77,7 +81,7 @@ TEST(Absorption, AStraightRoadHasNoVariance) {
   const MarkovChain road = chain_of(
       "road", {"A", "B", "C", "END"},
       {{"0", "1", "0", "0"}, {"0", "0", "1", "0"}, {"0", "0", "0", "1"}, {"0", "0", "0", "1"}});
-  const auto found = steps_to_absorption(*given_probabilities(road));
+  const auto found = steps_to_end(*given_probabilities(road));
   EXPECT_EQ(found[0]->expected.text(), "3");
   EXPECT_EQ(found[0]->variance.text(), "0");
 }
@@ -105,7 +109,7 @@ TEST(Absorption, AGamblerIsRuinedInThePositionsTimesTheRestOfThem) {
   fractions[0][0] = fractions[8][8] = "1";
   for (std::size_t k = 1; k < 8; ++k) fractions[k][k - 1] = fractions[k][k + 1] = "1/2";
   const MarkovChain gambler = chain_of("g", std::vector<std::string>(9, "S"), fractions);
-  const auto found = steps_to_absorption(*given_probabilities(gambler));
+  const auto found = steps_to_end(*given_probabilities(gambler));
   for (std::size_t k = 0; k <= 8; ++k)
     EXPECT_EQ(found[k]->expected, Rational(static_cast<double>(k * (8 - k))));
 }

@@ -53,6 +53,37 @@ TEST(Markov, StepsHardlyEverTakenMayBeTaken) {
   EXPECT_GE(taken, 1);
 }
 
+// Of 6000 numbers drawn rightly one lies beyond four standard errors in every fifth run.
+TEST(Markov, ManyChainsThatKeepToTheirProbabilitiesAgree) {
+  std::vector<MarkovChain> chains;
+  for (int i = 0; i < 2000; ++i)
+    chains.push_back(chain_of("c" + std::to_string(i), {"A", "DIE"}, {{"1/2", "1/2"}, {"0", "1"}}));
+  const Scene scene = scene_with(std::move(chains));
+  double largest = 0;
+  for (std::uint64_t seed = 26; seed <= 30; ++seed) {
+    const Result<ExperimentResult> result = run(scene, seed, 1000);
+    ASSERT_TRUE(result.has_value());
+    EXPECT_TRUE(result->holds) << seed;
+    EXPECT_NE(result->summary.find("5.98 allowed of 6000 observations"), std::string::npos);
+    largest = std::max(
+        largest,
+        nlohmann::json::parse(content_of(*result, "markov.json"))["largest_z"].get<double>());
+  }
+  EXPECT_GT(largest, 4);
+}
+
+// 10^-22 is beyond 64 bits: draws never leave A.
+TEST(Markov, WhatDrawsNeverLeaveIsInfinite) {
+  MarkovChain chain = chain_of("c", {"A", "B"}, {{"1", "0"}, {"0", "1"}});
+  chain.fractions[0] = {"9999999999999999999999/10000000000000000000000",
+                        "1/10000000000000000000000"};
+  const Result<ExperimentResult> result = run(scene_with({chain}), 1, 10);
+  ASSERT_TRUE(result.has_value());
+  const nlohmann::json row = starts(*result)[0];
+  EXPECT_EQ(row["expected"].get<double>(), 1e22);
+  EXPECT_TRUE(row["drawn"].is_null());  // infinite
+}
+
 TEST(Markov, TheObservedStepsMeetTheExactOnesForSeedsOneToFive) {
   const Scene scene = scene_with(paper_chains());
   const std::vector<std::string> facts = {"1060/189", "100/21",  "4/3",    "500/93", "140/31",
