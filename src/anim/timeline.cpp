@@ -33,7 +33,7 @@ struct Walk {
 
   void advance() {
     const MarkovChain& chain = scene.chains[walker.use.chain];
-    now.moved += velocity() / scene.fps;
+    now.moved = held(now.moved + held(velocity() / scene.fps));
     ++frames;
     const StateId before = now.state;
     if (frames % chain.hold == 0)

@@ -1,6 +1,7 @@
 #include "scene/curve.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flatray {
 namespace {
@@ -13,7 +14,10 @@ double slope(const Curve& curve, std::size_t key) {
   const double h = span(curve, key - 1), k = span(curve, key);
   const double d = rise(curve, key - 1) / h, e = rise(curve, key) / k;
   if (!((d > 0 && e > 0) || (d < 0 && e < 0))) return 0;
-  return 3 * (h + k) / ((h + 2 * k) / d + (2 * h + k) / e);
+  const double sum = (h + 2 * k) / d + (2 * h + k) / e, all = 3 * (h + k);
+  if (std::isnormal(sum)) return all / sum;
+  const double v = (h + 2 * k) / all, w = (2 * h + k) / all;
+  return std::abs(d) < std::abs(e) ? d / (v + w * (d / e)) : e / (v * (e / d) + w);
 }
 
 double smooth(const Curve& curve, std::size_t i, double u) {

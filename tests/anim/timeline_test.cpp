@@ -151,6 +151,15 @@ TEST(Timeline, PositionIsTheSumOfTheVelocitiesSoFar) {
   for (unsigned k = 1; k <= 6; ++k) EXPECT_EQ(timeline.markov(0, k).moved, sums[k - 1] / 4);
 }
 
+// Steps of 1e400 there and back, each of which is held at what a scene holds.
+TEST(Timeline, StepsBeyondAllDoublesAreHeld) {
+  Scene scene = with_chain(flip_chain(), {{moving({1e300, 0})}, {moving({-1e300, 0})}});
+  scene.fps = 1e-100;
+  const Timeline timeline(scene, 1, 5);
+  for (unsigned k = 1; k <= 5; ++k)
+    EXPECT_EQ(timeline.markov(0, k).moved, Vec2(k % 2 == 0 ? 1e300 : 0, 0)) << k;
+}
+
 TEST(Timeline, AStateWithoutLooksKeepsTheEntitysVelocity) {
   const Scene scene = with_chain(still_chain());
   EXPECT_EQ(Timeline(scene, 1, 5).markov(0, 5).moved, Vec2(48, 0));

@@ -46,6 +46,25 @@ TEST(Curve, SmoothGoesOnThroughKeysThatRiseEvenly) {
   EXPECT_NEAR((value_at(curve, 2) - value_at(curve, 2 - step)) / step, 0, 1e-5);
 }
 
+// The same curve with other units of time and value: as a straight rise beyond its ends, however
+// steep or flat.
+TEST(Curve, SmoothOfSteepestAndFlattestKeysIsScaled) {
+  const Curve curve{Ease::smooth, {0, 1, 2, 3}, {0, 1, 2, 3}};
+  for (const auto& [time, value] : {std::pair(0x1p-96, 0x1p896), std::pair(0x1p900, 0x1p-170),
+                                    std::pair(0x1p996, 0x1p-40), std::pair(0x1p-900, 0x1p90)}) {
+    Curve scaled = curve;
+    for (double& t : scaled.times) t *= time;
+    for (double& v : scaled.values) v *= value;
+    for (int i = 0; i <= 48; ++i) {
+      const double t = i / 16.0;
+      EXPECT_NEAR(value_at(scaled, t * time) / value, value_at(curve, t), 0x1p-50) << t;
+      EXPECT_NEAR(
+          cubic_between(scaled, std::floor(t) * time, (std::floor(t) + 1) * time)(0.5) / value,
+          cubic_between(curve, std::floor(t), std::floor(t) + 1)(0.5), 0x1p-50);
+    }
+  }
+}
+
 TEST(Curve, SmoothNeverOvershoots) {
   const Curve curve{Ease::smooth, {0, 1, 1.1, 5, 6}, {0, 10, 10.5, 10.6, -3}};
   double last = -1;

@@ -34,8 +34,9 @@ constexpr Key<CurveWords> kCurveKeys[] = {
      &set_word<&CurveWords::ease, kEases>},
 };
 
-// Steeper than this, and a slope in between could be beyond the doubles.
+// Steeper than this, and a slope in between could be beyond the doubles; steps have none.
 bool too_steep(const Curve& curve, std::size_t i) {
+  if (curve.ease == Curve::Ease::step) return false;
   const double rise = curve.values[i] - curve.values[i - 1];
   return std::abs(rise / (curve.times[i] - curve.times[i - 1])) > kFarthest;
 }

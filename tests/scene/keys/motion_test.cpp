@@ -1,4 +1,5 @@
 // needs: shapes/circle
+#include "scene/curve.h"
 #include "scene/reading/reader.h"
 #include "scene/scene_text.h"
 
@@ -33,6 +34,13 @@ TEST(Curves, AreSharedByCopiesUnlessTheyAreDrawn) {
       loaded(disc("angle = { keys = [[0, 0], [1, { uniform = [0, 90] }]] }" + ring)).scene;
   EXPECT_EQ(drawn.curves.size(), 9u);
   EXPECT_NE(drawn.curves[0].values, drawn.curves[8].values);
+}
+
+TEST(Curves, ThatStepHaveNoSlopeToBeTooSteep) {
+  const Scene scene =
+      loaded(disc("angle = { keys = [[0, 0], [1e-320, 90]], ease = \"step\" }")).scene;
+  EXPECT_EQ(value_at(scene.curves[0], 0), 0);
+  EXPECT_EQ(value_at(scene.curves[0], 1e-320), radians(90));
 }
 
 TEST(Curves, MoveGroupsStrokesAndTheCamera) {
