@@ -56,13 +56,13 @@ bool too_few_rays(ScrambleSums sums, std::size_t pixel) {
 
 }  // namespace
 
-double relative_error(ScrambleSums sums) {
+std::optional<double> relative_error(ScrambleSums sums) {
   double light = 0, error = 0;
   for (std::size_t pixel = 0; pixel < sums.front().size() / 3; ++pixel) {
     const Spread spread = luminance(sums, pixel);
     light += spread.mean, error += spread.error;
   }
-  return light > 0 ? error / light : 0;
+  return light > 0 ? std::optional(error / light) : std::nullopt;
 }
 
 LinearImage error_image(ScrambleSums sums, double film_unit, int width, int height) {

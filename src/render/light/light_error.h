@@ -16,9 +16,9 @@ inline constexpr unsigned kScrambles[] = {16, 32, 64};
 using ScrambleSums = std::span<const std::vector<std::int64_t>>;
 
 /// Relative standard error of the picture that is the mean of the scrambles: the standard errors of
-/// the luminance of all pixels, together, over all of their light. 0 where there is no light.
+/// the luminance of all pixels, together, over all of their light; none where no light came.
 /// Needs   at least two scrambles.
-double relative_error(ScrambleSums sums);
+std::optional<double> relative_error(ScrambleSums sums);
 
 /// Half the width of the interval that holds each channel of each pixel with 95 %, in the units of
 /// the light: `film_unit` of a unit of the sums of one scramble. NaN where so little light fell that

@@ -63,10 +63,11 @@ class Rounds {
     std::optional<double> error;
     const bool due =
         goal_.error > 0 ? is_error_due(count) : goal_.told && std::has_single_bit(count);
-    if (due && light.films.size() > 1) error = relative_error(sums_of_scrambles(light));
+    const bool measured = due && light.films.size() > 1;
+    if (measured) error = relative_error(sums_of_scrambles(light));
     if (before_ < count && goal_.told) goal_.told(light, error);
     before_ = count;
-    if (error && is_reached(*error, count)) return std::nullopt;
+    if (measured && is_reached(error.value_or(0), count)) return std::nullopt;
     const std::chrono::duration<double> time = Clock::now() - start_;
     if (count > 0 && time.count() >= goal_.seconds) return std::nullopt;
     while (next_ < end_ && light.rounds.has(next_)) next_ += goal_.shards;
