@@ -113,12 +113,14 @@ struct ChainReader {
 
   void check_sum(const Member& member, const ChainRow& steps) {
     const Rational sum = total_probability(steps), rest = Rational(1) - sum;
-    const bool missing = rest.sign() == Sign::positive;
+    const bool missing = rest.sign() == Sign::positive, some = sum.sign() == Sign::positive;
     in().problem(
         member.where, fmt::format("transitions out of {} sum to {}", member.key, decimal_text(sum)),
         fmt::format("they must sum to 1: {}, or say repair = {}",
                     missing ? "add " + decimal_text(rest) : "take " + decimal_text(-rest) + " away",
-                    missing ? R"("to-start", "to-self" or "scaled")" : "\"scaled\""));
+                    !some     ? R"("to-start" or "to-self")"
+                    : missing ? R"("to-start", "to-self" or "scaled")"
+                              : "\"scaled\""));
   }
 
   void add(StateId self, ChainRow steps) {

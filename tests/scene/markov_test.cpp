@@ -108,6 +108,7 @@ TEST(Markov, MistakesAreNamed) {
       {"A = { A = \"1\" }", "3:11: error: A.A is a string, not a number"},
       {"A = 1", "3:5: error: A is a number, not a table"},
       {"A = {}", "3:1: error: transitions out of A sum to 0\n"},
+      {"repair = \"scaled\"\nA = {}", "add 1, or say repair = \"to-start\" or \"to-self\"\n"},
       {"A = { A = 0.6, B = 0.5 }\nB = { B = 1 }", "take 0.1 away, or say repair = \"scaled\""},
       {"repair = \"to-start\"\nA = { A = 0.6, B = 0.5 }\nB = { B = 1 }", "sum to 1.1"},
       {"repair = \"scaled\"\nA = { A = 0 }", "sum to 0\n"},
