@@ -251,10 +251,13 @@ Result<void> expect_writable(const fs::path& path) {
   const fs::path folder = folder_of(path);
   for (fs::path there = folder;; there = folder_of(there)) {
     if (::access((there / "").c_str(), W_OK | X_OK) == 0) return {};
-    if (errno == ENOENT && there != folder_of(there)) continue;
-    if (errno == ENOTDIR || there != folder)
-      return cannot("make the folder", folder, errno, Trouble::output);
-    return cannot("write", path, errno, Trouble::output);
+    int why = errno;
+    std::error_code ignored;  // a link that leads nowhere is there, as making the folder says
+    if (why == ENOENT && fs::is_symlink(there, ignored)) why = EEXIST;
+    if (why == ENOENT && there != folder_of(there)) continue;
+    if (why == EEXIST || why == ENOTDIR || there != folder)
+      return cannot("make the folder", folder, why, Trouble::output);
+    return cannot("write", path, why, Trouble::output);
   }
 }
 

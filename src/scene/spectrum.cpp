@@ -120,12 +120,12 @@ LightColour colour_of_wavelength(double nm) { return shown(srgb_of(matching(nm))
 LightColour part_of_wavelength(double nm) {
   static const LightColour scale = [] {
     LightColour sum{0, 0, 0};
-    constexpr int kSteps = 330;
-    for (int i = 0; i < kSteps; ++i) {
-      const double part = (i + 0.5) / kSteps;
+    constexpr int kParts = 330;
+    for (int i = 0; i < kParts; ++i) {
+      const double part = (i + 0.5) / kParts;
       const LightColour one =
           srgb_of(matching(kFirstWavelength + part * (kLastWavelength - kFirstWavelength)));
-      for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += std::max(one[c], 0.0) / kSteps;
+      for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += std::max(one[c], 0.0) / kParts;
     }
     for (double& channel : sum) channel = 1 / channel;
     return sum;

@@ -55,7 +55,6 @@ TEST(Json, AWholeNumberIsOneHoweverItIsWritten) {
     EXPECT_EQ(parse_json(none)->as_whole(), std::nullopt) << none;
 }
 
-// As the library that reads it writes it, too.
 // Brackets in texts and those that are closed do not count.
 TEST(Json, TheFirstBracketThatIsNestedTooDeepIsNamed) {
   const std::string before = R"({"[[\"[": [[], {"a": "}]"}], "b": )";
@@ -64,6 +63,7 @@ TEST(Json, TheFirstBracketThatIsNestedTooDeepIsNamed) {
   EXPECT_TRUE(read_json(deepest + std::string(63, ']') + "}"));
 }
 
+// As the library that reads it writes it, too.
 TEST(JsonValue, ManyLinesAreIndentedByLevel) {
   Table table({"name", "t"});
   table.add({"a", 0.5});

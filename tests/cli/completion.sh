@@ -73,7 +73,7 @@ expect "picture.png" "$(in_bash flatray compare p)" "bash, pictures"
 expect "folder" "$(in_bash flatray golden --root f)" "bash, folders"
 
 # Names that a shell would run: each comes back as the one word it is, whatever quote opened the word.
-names=('$(touch ran)' '`touch ran`' 'a b;touch ran' "it's \"\\" '"$(touch ran)"' ':files toml' ':folders' '-n' '-rf' '*' 'x!!' $'\xc3\xbc')
+names=('.hidden' '$(touch ran)' '`touch ran`' 'a b;touch ran' "it's \"\\" '"$(touch ran)"' ':files toml' ':folders' '-n' '-rf' '*' 'x!!' $'\xc3\xbc')
 {
   printf 'flatray = 1\n'
   for name in "${names[@]}" $'\n$(touch ran)\n' $'\tfiles md' $'\e[2J'; do

@@ -168,7 +168,7 @@ says err "0 frames written, 3 kept"
 errors --resume
 says err "0 frames written, 3 kept"
 run 0 verify e
-errors --error-image 'e/error_####.pfm' --force
+errors --error-image "$PWD/e/error_####.pfm" --force
 run 0 verify e
 truncate -s -1 e/error_0002.pfm
 rm e/error_0003.pfm

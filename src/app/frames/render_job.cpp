@@ -141,10 +141,13 @@ class FrameMaker {
     FrameRecord record = (*made)->record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
-    if (const auto& image = job_.light.error_image)
-      if (const fs::path path = image->path(job_.name, frame);
-          folder_of(path).lexically_normal() == job_.folder().lexically_normal())
+    if (const auto& image = job_.light.error_image) {
+      const fs::path path = image->path(job_.name, frame);
+      std::error_code ignored;  // a folder that cannot be looked at, writing tells
+      if (fs::weakly_canonical(folder_of(path), ignored) ==
+          fs::weakly_canonical(job_.folder(), ignored))
         record.error_file = path.filename();
+    }
     FLATRAY_TRY(written, write(**made, record));
     return record;
   }

@@ -89,10 +89,16 @@ bool is_upper(std::string_view word) {
 
 void add(Completion& completion, const CommandLine& line, const std::vector<std::string>& words) {
   for (const std::string& word : words)
-    if (is_ending(word))
-      completion.extensions.push_back(word.substr(1));
-    else if (word.starts_with(line.last) && shown_text(word) == word)  // else no line holds it
+    if (word.starts_with(line.last) && shown_text(word) == word)  // else no line holds it
       completion.candidates.push_back({line.before_value + word, ""});
+}
+
+// The words of an option or a verb, with the endings of the files it takes among them.
+void add_listed(Completion& completion, const CommandLine& line, std::vector<std::string> words) {
+  for (const std::string& word : words)
+    if (is_ending(word)) completion.extensions.push_back(word.substr(1));
+  std::erase_if(words, &is_ending);
+  add(completion, line, words);
 }
 
 void add_scene_files(Completion& completion) {
@@ -104,7 +110,7 @@ void add_scene_files(Completion& completion) {
 // What a name in upper case stands for, or the words themselves: "png|hdr".
 void add_values(Completion& completion, const CommandLine& line, const std::string& what,
                 std::vector<std::string> (*words)()) {
-  if (words != nullptr) return add(completion, line, words());
+  if (words != nullptr) return add_listed(completion, line, words());
   if (what == "FILE|-") {
     completion.extensions = {"jsonl", "json"};
     return;

@@ -93,7 +93,8 @@ class SeenItems {
   std::size_t next_inside(std::size_t from) const;
   std::size_t uppermost_opaque() const;
 
-  bool has_part_ = false, on_whole_ = false;  ///< the uppermost is such a light
+  bool has_part_ = false;
+  bool on_whole_ = false;  ///< the uppermost is a light of those that cover all
   std::vector<std::uint64_t> inside_, opaque_;
   std::size_t lowest_ = 0;  ///< that showed when composed() looked
 };

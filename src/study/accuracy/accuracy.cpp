@@ -219,7 +219,7 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
   static_cast<ChoiceFacts&>(report) = *made;
   Rounds rounds = first_round(*made, budget, context.at_least_one, report);
   if (report.points.empty() && report.missing.empty())
-    report.left_out = "its reference took the time of the budget that was left";
+    report.left_out = "its reference took all of its part of the budget";
   more_rounds(rounds, budget, report);
   if (report.one_question) mark_best(report.points);
   report.orders = fit_orders(*made, report.points);

@@ -93,11 +93,13 @@ TEST_F(OutputFiles, LinksAreReplacedByForceOnlyAndPipesAndFoldersNever) {
 }
 
 TEST_F(OutputFiles, WhatCannotBeWrittenIsRefusedInTheWordsOfTheWrite) {
-  const fs::path taken = file(kPng), closed = folder_ / "closed";
+  const fs::path taken = file(kPng), closed = folder_ / "closed", nowhere = folder_ / "link";
+  fs::create_symlink("nowhere", nowhere);
   fs::create_directory(closed);
   fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
-  for (const fs::path& path : {taken / "a.png", taken / "new" / "a.png", closed / "a.png",
-                               closed / "new" / "a.png", folder_ / "new" / "er" / "a.png"}) {
+  for (const fs::path& path :
+       {taken / "a.png", taken / "new" / "a.png", closed / "a.png", closed / "new" / "a.png",
+        nowhere / "a.png", nowhere / "new" / "a.png", folder_ / "new" / "er" / "a.png"}) {
     const auto allowed = outputs(false).allow(path, kPng), written = write_file(path, kPng);
     EXPECT_EQ(allowed.has_value(), written.has_value()) << path;  // the superuser may
     if (allowed || written) continue;

@@ -89,7 +89,7 @@ TEST(Accuracy, WhatTheBudgetHasNoTimeForIsLeftOutButOneSetting) {
   const auto reports = measure_choices(turns, {scene, 1, 1, 0.05});
   EXPECT_EQ(reports[2].left_out, "");
   EXPECT_GE(reports[2].points.size(), 1U);
-  EXPECT_EQ(reports[1].left_out, "its reference took the time of the budget that was left");
+  EXPECT_EQ(reports[1].left_out, "its reference took all of its part of the budget");
   EXPECT_TRUE(reports[1].points.empty());
   EXPECT_EQ(reports[0].left_out, "no time of the budget is left");
   EXPECT_EQ(reports[0].seconds, 0);
