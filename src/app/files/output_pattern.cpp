@@ -13,20 +13,20 @@
 
 namespace flatray {
 
-std::vector<std::string> endings_of_frames() {
-  std::vector<std::string> endings;
+namespace {
+
+std::vector<std::string> endings(bool with_films) {
+  std::vector<std::string> found;
   for (const PictureFormat* format : picture_formats())
-    if (!format->is_video()) endings.push_back(fmt::format(".{}", format->name));
-  return endings;
+    if (!format->is_video() && (with_films || format->of_film == nullptr))
+      found.push_back(fmt::format(".{}", format->name));
+  return found;
 }
 
-std::vector<std::string> endings_of_pictures() {
-  std::vector<std::string> endings = endings_of_frames();
-  std::erase_if(endings, [](const std::string& ending) {
-    return find_picture_format(ending.substr(1))->of_film != nullptr;
-  });
-  return endings;
-}
+}  // namespace
+
+std::vector<std::string> endings_of_frames() { return endings(true); }
+std::vector<std::string> endings_of_pictures() { return endings(false); }
 
 Result<const PictureFormat*> picture_format(const std::string& name, const Place& where) {
   if (const PictureFormat* format = find_picture_format(name)) return format;

@@ -144,22 +144,23 @@ void BandScan::see(int column, std::uint32_t part, const ItemLook* below) {
   while (cover != active_.end() || part != kNone) {
     const bool is_cover =
         part == kNone || (cover != active_.end() && cover->item < parts_[part].item);
-    const ItemLook& look = looks_[is_cover ? cover->item : parts_[part].item];
-    if (is_cover && cover->rays == all_rays_) {
-      if (look.opaque) shown_.clear();
-      seen_.add_whole(look, light_of(look));
-    } else if (is_cover) {
-      shown_.push_back({seen_.add_part(look, light_of(look), 0), nullptr, cover->rays});
-    } else {
-      const Wound& wound = parts_[part].wound;
-      const bool every = wound.rays == all_rays_;
-      shown_.push_back({seen_.add_part(look, light_of(look), every ? wound.winding : 0),
-                        &parts_[part], every ? 0 : wound.rays});
-    }
-    if (is_cover)
+    if (is_cover) {
+      const ItemLook& look = looks_[cover->item];
+      const bool all = cover->rays == all_rays_;
+      if (all && look.opaque) shown_.clear();
+      if (all)
+        seen_.add_whole(look, light_of(look));
+      else
+        shown_.push_back({seen_.add_part(look, light_of(look), 0), nullptr, cover->rays});
       ++cover;
-    else
-      part = parts_[part].above;
+    } else {
+      const Part& one = parts_[part];
+      const ItemLook& look = looks_[one.item];
+      const bool every = one.wound.rays == all_rays_;
+      shown_.push_back({seen_.add_part(look, light_of(look), every ? one.wound.winding : 0), &one,
+                        every ? 0 : one.wound.rays});
+      part = one.above;
+    }
   }
   seen_.place_all();
 }

@@ -202,8 +202,7 @@ class Study {
     return fmt::format(
         "Steps to an absorbing state, {} walks from each start, seed {}\n\n{}\n"
         "Transitions taken, all starts together\n\n{}\n{}: largest |z| {:.3g}, {:.3g} allowed of "
-        "{}, "
-        "more of steps hardly ever taken{}\n",
+        "{}, more of steps hardly ever taken{}\n",
         context_.count, context_.seed, aligned_text(starts_, kBrief),
         aligned_text(transitions_, kBrief),
         disagreements_ > 0 ? "DISAGREES with the closed form"
