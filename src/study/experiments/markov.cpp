@@ -71,7 +71,7 @@ class Study {
                                  {"not_observed", not_walked_},
                                  {"starts", starts_},
                                  {"transitions", transitions_}});
-    result_.files.push_back(json_file("markov", std::move(fields)));
+    result_.files.push_back(json_file("markov", fields));
     result_.summary = summary();
     return std::move(result_);
   }
@@ -185,7 +185,7 @@ class Study {
 
   // A short decimal where there is one, else a short fraction, else six digits.
   static std::string label(const Rational& probability) {
-    const std::string decimal = number_text(probability.nearest()), fraction = probability.text();
+    std::string decimal = number_text(probability.nearest()), fraction = probability.text();
     if (decimal.size() <= 6) return decimal;
     return fraction.size() <= 11 ? fraction : fmt::format("{:.6g}", probability.nearest());
   }

@@ -8,6 +8,7 @@
 #include "anim/rays.h"
 #include "base/counted.h"
 #include "base/portable_math.h"
+#include "collide/broad_phase.h"
 #include "collide/pillars.h"
 #include "scene/names.h"
 #include "scene/part_counts.h"
@@ -180,6 +181,42 @@ Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
 
 namespace {
 
+bool lie_on_one_another(const Segment& a, const Segment& b) {
+  if (!lies_along(a, b)) return false;
+  const Vec2 size = (a.b - a.a).cwiseAbs();
+  const int axis = size.x() >= size.y() ? 0 : 1;
+  const auto [from, to] = std::minmax(a.a[axis], a.b[axis]);
+  const auto [other_from, other_to] = std::minmax(b.a[axis], b.b[axis]);
+  return std::max(from, other_from) < std::min(to, other_to);
+}
+
+// Walls that lie on one another count in the perimeter, and no orbit comes between them. Of curves
+// only those of pillars that overlap are found.
+Result<void> expect_no_hidden_walls(const Scene& scene) {
+  const World world = build_world(scene, at(Timeline(scene, scene.seed, 1), 1));
+  const std::vector<std::uint32_t>& walls = world.surfaces.segment_numbers;
+  std::vector<Bounds> boxes;
+  for (const std::uint32_t wall : walls) boxes.push_back(bounds_of(world.surfaces.segment(wall)));
+  std::pair<std::uint32_t, std::uint32_t> first{kNoSurface, kNoSurface};
+  const auto look = [&](std::uint32_t a, std::uint32_t b) {
+    const std::pair found{walls[a], walls[b]};
+    if (found < first && lie_on_one_another(world.surfaces.segment(found.first),
+                                            world.surfaces.segment(found.second)))
+      first = found;
+    return true;
+  };
+  each_overlap(boxes, std::vector<bool>(boxes.size()), look);
+  if (first.first == kNoSurface) return {};
+  const SurfaceOwner &one = world.owner(first.first), &other = world.owner(first.second);
+  const bool pillar = other.kind == SurfaceOwner::Kind::pillar;
+  const Chamber& chamber = scene.chambers[other.index];
+  return fail(pillar ? chamber.pillars[other.pillar].where : chamber.where,
+              fmt::format("a wall of {} lies on one of {}: no orbit comes between them",
+                          owner_name(scene, other), owner_name(scene, one)),
+              "write both as one outline, or leave room between them: such walls count in the "
+              "perimeter");
+}
+
 Result<void> expect_no_other_way_out(const ExperimentContext& context) {
   const Scene& scene = context.scene;
   if (scene.chambers.empty())
@@ -207,7 +244,8 @@ Result<void> expect_no_other_way_out(const ExperimentContext& context) {
       return fail(entity.where, "rays meet this entity beside the chamber",
                   "write what stands in the chamber as its pillars: their areas count");
   if (auto inside = expect_pillars_inside(scene); !inside) return inside;
-  return expect_pillars_apart(scene);
+  if (auto apart = expect_pillars_apart(scene); !apart) return apart;
+  return expect_no_hidden_walls(scene);
 }
 
 }  // namespace

@@ -85,16 +85,29 @@ TEST(HonestAnswers, SplittingSaysWhereARoomIsClosedInPart) {
       << format(refused.error());
 }
 
-// A pillar that stands on a periodic wall ends what comes there in a corner.
-TEST(HonestAnswers, MeanFreePathSaysWhereOrbitsEndInCorners) {
-  const Scene scene =
-      chamber_with("box = { min = [0, 0], max = [1, 1] }",
-                   "material = \"periodic\"\npillars = [{ shape = { box = { min = [0.8, "
-                   "0.2], max = [1, 0.5] } } }]\n");
-  const Measure path =
-      measure(run("mean-free-path", {.scene = scene, .count = 20'000}), "mean_free_path");
-  EXPECT_FALSE(path.standard_error);
-  EXPECT_TRUE(has(path.remark, "of 200 orbits ended in corners")) << path.remark;
+// What is hidden between walls that lie on one another counts in no perimeter, so that such rooms are
+// refused; a pillar that touches a wall in a point hides nothing.
+TEST(HonestAnswers, WallsThatLieOnOneAnotherAreRefused) {
+  const std::string corner = "min = [0, 0], max = [1, 1]", box = "box = { " + corner + " }",
+                    step = "{ shape = { box = { min = [0.4, 0], max = [0.6, 0.3] } } }",
+                    on_step = "{ shape = { box = { min = [0.5, 0.3], max = [0.7, 0.6] } } }",
+                    apart = "{ shape = { box = { min = [0.4, 0.1], max = [0.6, 0.3] } } }",
+                    on_tip = "{ shape = { polygon = [[0.5, 0], [0.6, 0.3], [0.4, 0.3]] } }";
+  const auto answer = [](const Scene& scene) {
+    return experiment("mean-free-path").run({.scene = scene, .count = 20'000});
+  };
+  for (const Scene& scene :
+       {room(box, step), room(box, apart + ", " + on_step),
+        chamber_with(box, "material = \"periodic\"\npillars = [" + step + "]\n")}) {
+    const auto refused = answer(scene);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_TRUE(has(format(refused.error()), "no orbit comes between them"))
+        << format(refused.error());
+  }
+  const auto touching = answer(room(box, on_tip));
+  ASSERT_TRUE(touching.has_value()) << format(touching.error());
+  EXPECT_TRUE(agrees(measure(*touching, "mean_free_path")));
+  EXPECT_EQ(measure(*touching, "orbits_into_corners").value, 0);
 }
 
 // Of so few orbits it cannot be told whether flights have a variance.
