@@ -95,6 +95,14 @@ std::string definition_of(const KindInfo& kind, const TableInfo& one) {
   return std::string(kind.key) + "." + KindInfo::name(one);
 }
 
+// The kind called as the key: { segment = { from = [x, y], to = [x, y] } }.
+std::optional<std::string> kind_called(const Site& site, const Takes& takes) {
+  for (const KindInfo& kind : kinds())
+    for (const TableInfo& one : kind.tables)
+      if (KindInfo::name(one) == site.key && has_keys(one, takes)) return definition_of(kind, one);
+  return std::nullopt;
+}
+
 // { KIND = ... } is one of registered kinds unless a table is called so, { STATE = ... } holds what
 // the user names.
 JsonValue table_schema(const Site& site, const Takes& takes) {
@@ -106,6 +114,7 @@ JsonValue table_schema(const Site& site, const Takes& takes) {
   if (const auto name = table_called(takes.text.empty() ? site : named_site(site, takes.text)))
     return reference(*name);
   if (is_kind(first)) return reference(first);
+  if (const auto name = kind_called(site, takes)) return reference(*name);
   if (const auto name = table_with_keys(site, takes)) return reference(*name);
   return own_table_schema(site, takes);
 }
@@ -166,11 +175,13 @@ JsonValue drawn_schema(const Site& site, const std::vector<Takes>& all) {
   return Fields{{"anyOf", std::move(values)}};
 }
 
-// One number drawn from a distribution.
+// One number drawn from a distribution, or from numbers, drawn ones too.
 JsonValue distribution_schema() {
   const Fields pair{
       {"type", "array"}, {"items", of_type("number")}, {"minItems", 2}, {"maxItems", 2}};
-  return one_of({{"uniform", pair}, {"normal", pair}});
+  const Fields items{{"anyOf", Values{of_type("number"), reference("drawn")}}};
+  const Fields choice{{"type", "array"}, {"items", items}, {"minItems", 1}};
+  return one_of({{"uniform", pair}, {"normal", pair}, {"choice", choice}});
 }
 
 // Whether it is a curve, or a list of what may be.

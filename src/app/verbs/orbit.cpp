@@ -60,7 +60,8 @@ struct Options : Arguments {
     row("-n, --bounces N", "most bounces, instead of the ray's own", bounces, 0, 10'000'000);
     precision.rows(row);
     row("--speed V|none",
-        "world units a second: mirrors are met where they are by then; none: as the frame has them",
+        "world units a second, from the frame of -f on: mirrors are met where they are by then; "
+        "none: as the frame has them",
         speeds, &parse_speed);
     row("--corner", "what a ray does in a corner: stop, or return the way it came", corner,
         kCorners);

@@ -113,20 +113,41 @@ void warn_of_unseen(Builder& builder, const Value& table, const Entity& entity) 
                      R"(write stroke = { colour = "#333333" }, or stroke = "none" to hide it)");
 }
 
+// Whether a shape has no inside.
+bool is_lines(const Scene& scene, ShapeId shape) {
+  return shape < scene.shapes.size() && part_counts(scene.shapes[shape]).areas() == 0;
+}
+
+// Filled as the entity is.
+void warn_of_unseen_states(Builder& builder, const Value& table, const Entity& entity) {
+  const Member* states = table.find("states");
+  if (states == nullptr || !entity.markov || entity.stroke || table.find("stroke") != nullptr)
+    return;
+  const auto is_unseen = [&](const Look& look) {
+    return look.shape && !look.stroke && is_lines(builder.scene, *look.shape);
+  };
+  if (std::ranges::any_of(entity.markov->looks, [&](const std::vector<Look>& looks) {
+        return std::ranges::any_of(looks, is_unseen);
+      }))
+    builder.in.warning(states->where, "a state's shape of lines has no inside to fill",
+                       "write stroke = { colour = \"#rrggbb\" } in that state");
+}
+
 void dress(Builder& builder, const Value& table, Entity& entity) {
   const Scene& scene = builder.scene;
-  const bool lines =
-      entity.shape < scene.shapes.size() && part_counts(scene.shapes[entity.shape]).areas() == 0;
+  const bool lines = is_lines(scene, entity.shape);
   const Member* fill = table.find("fill");
   if (fill != nullptr && entity.fill && lines)
     builder.in.warning(fill->value.where, "a shape of lines has no inside to fill",
                        "write stroke = { colour = \"#rrggbb\" }");
   warn_of_unseen(builder, table, entity);
-  if (fill != nullptr || table.find("stroke") != nullptr) return;
-  if (lines)
-    entity.stroke = kDefaultStroke;
-  else
-    entity.fill = default_fill(scene, entity.scatterer, kDefaultColour);
+  if (fill == nullptr && table.find("stroke") == nullptr) {
+    if (lines)
+      entity.stroke = kDefaultStroke;
+    else
+      entity.fill = default_fill(scene, entity.scatterer, kDefaultColour);
+  }
+  warn_of_unseen_states(builder, table, entity);
 }
 
 void add_entity(Builder& builder, Entity&& entity) {

@@ -97,6 +97,10 @@ void read_camera(Builder& builder, const Field& field, Scene& scene) {
   if (camera.follow && camera.at)
     builder.in.problem(field.value.where, "follow and at both say where the camera looks",
                        "leave at out: offset moves it beside what it follows");
+  const Member* offset = field.value.find("offset");
+  if (offset != nullptr && field.value.find("follow") == nullptr)
+    builder.in.warning(offset->where, "offset moves nothing: the camera follows no entity",
+                       "write follow = \"ENTITY\", or say where it looks by at");
 }
 
 std::vector<TableInfo> film_tables() {

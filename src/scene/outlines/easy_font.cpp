@@ -12,7 +12,8 @@ namespace {
 
 // Of one of the four corners of a rectangle.
 constexpr std::size_t kCornerBytes = 16, kMostBytesACharacter = 64 * 40;
-constexpr int kBaseline = 7;  // below the top of a line, y pointing down
+constexpr int kBetweenLetters = 2;  // pixels, which stb counts behind the last one, too
+constexpr int kBaseline = 7;        // below the top of a line, y pointing down
 
 FontPixel corner(const char* bytes) {
   float xy[2];
@@ -27,7 +28,7 @@ FontLine font_line(std::string_view text) {
   std::vector<char> corners(kMostBytesACharacter * (line.size() + 1));
   const int rectangles = stb_easy_font_print(0, 0, line.data(), nullptr, corners.data(),
                                              static_cast<int>(corners.size()));
-  FontLine result{{}, stb_easy_font_width(line.data())};
+  FontLine result{{}, std::max(stb_easy_font_width(line.data()) - kBetweenLetters, 0)};
   for (int i = 0; i < rectangles; ++i) {
     const char* first = corners.data() + static_cast<std::size_t>(i) * 4 * kCornerBytes;
     const FontPixel low = corner(first), high = corner(first + 2 * kCornerBytes);

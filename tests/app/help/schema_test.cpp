@@ -270,6 +270,19 @@ TEST(SceneSchema, AgreesWithTheProgramAboutTheKindOfEveryKey) {
   EXPECT_GT(refused, 200u);
 }
 
+TEST(SceneSchema, TakesAlternativesAndChoicesAmongChoices) {
+  const SchemaCheck check = schema();
+  const std::string segment = "segment = { from = [0, 0], to = [1, 0] }",
+                    entity = "flatray = 1\n[[entity]]\nshape = { " + segment + " }\n";
+  for (const std::string& line :
+       {"alternatives = [{ " + segment + " }]",
+        std::string("angle = { choice = [0, { choice = [1, { uniform = [2, 3] }] }] }")}) {
+    EXPECT_EQ(check.fault(json_of(entity + line)), "") << line;
+    EXPECT_TRUE(load_scene_text("t.toml", entity + line)) << line;
+  }
+  EXPECT_NE(check.fault(json_of(entity + "alternatives = [{ segment = { from = [0, 0] } }]")), "");
+}
+
 TEST(SceneSchema, OffersCurvesWhereTheProgramTakesThem) {
   const SchemaCheck check = schema();
   const std::string curve = "{ keys = [[0, 1], [1, 2]] }";

@@ -109,6 +109,12 @@ TEST(SceneKeys, FilmCameraAndTime) {
   EXPECT_EQ(scene.camera.motion, CameraMotion::objects);
 }
 
+TEST(SceneKeys, AnOffsetOfACameraThatFollowsNothingIsWarnedOf) {
+  const Diagnostics told = loaded("flatray = 1\ncamera = { offset = [1, 0] }").warnings;
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].message, "offset moves nothing: the camera follows no entity");
+}
+
 TEST(SceneKeys, Entity) {
   const Entity& entity = every_key().entities[0];
   EXPECT_EQ(entity.name, "runner");

@@ -228,6 +228,23 @@ TEST(Shapes, AConicIsWhatItsEccentricitySays) {
             std::string::npos);
 }
 
+TEST(Shapes, OfLinesInAStateAreWarnedOfWhereNothingDrawsThem) {
+  const auto warnings = [](const std::string& keys, const std::string& look) {
+    return loaded(
+               with_shape("circle = { radius = 1 }") + keys +
+               "\nmarkov = { chain = 'c' }\nstates = { A = { shape = { segment = { from = [0, 0], "
+               "to = [1, 0] } }" +
+               look + " } }\n[markov.c]\nA = { A = 1 }\n")
+        .warnings;
+  };
+  const Diagnostics told = warnings("", "");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].message, "a state's shape of lines has no inside to fill");
+  EXPECT_TRUE(warnings("", ", stroke = { width_px = 1 }").empty());
+  EXPECT_TRUE(warnings("\nstroke = { width_px = 1 }", "").empty());
+  EXPECT_TRUE(warnings("\nstroke = 'none'", "").empty());
+}
+
 TEST(Shapes, OfLinesThatAreFilledAreWarnedOfOnce) {
   const auto warnings = [](const std::string& shape) {
     return loaded(with_shape(shape) +

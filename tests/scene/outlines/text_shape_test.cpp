@@ -33,7 +33,9 @@ TEST(Text, LinesAreAlignedAtTheOrigin) {
   const Bounds right = bounds_of(shape_of(two + "\"right\" }"));
   EXPECT_EQ(left.low.x(), 0);
   EXPECT_EQ(left.low.y(), -12);
-  EXPECT_LE(right.high.x(), 0);
+  const Bounds centre = bounds_of(shape_of(two + "\"centre\" }"));
+  EXPECT_EQ(right.high.x(), 0);
+  EXPECT_EQ(centre.low.x(), -centre.high.x());
   EXPECT_EQ(left.size(), right.size());
 }
 
