@@ -51,9 +51,7 @@ Cubic<double> curve_part(const Scene& scene, const std::optional<CurveId>& curve
 }
 
 double largest(const Scene& scene, const std::optional<CurveId>& curve) {
-  return curve ? std::max(std::fabs(lowest(scene.curves[*curve])),
-                          std::fabs(highest(scene.curves[*curve])))
-               : 0;
+  return curve ? scene.curves[*curve].largest : 0;
 }
 
 // On the edge it walks in the middle of the time.

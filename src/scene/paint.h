@@ -17,6 +17,7 @@ struct Colour {
 struct Curve {
   enum class Ease { linear, smooth, step } ease = Ease::linear;
   std::vector<double> times, values;  ///< seconds, ascending; one value each
+  double largest = 0;                 ///< of the values, without their sign
 };
 using CurveId = std::uint32_t;  ///< index into Scene::curves
 

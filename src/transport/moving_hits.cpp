@@ -1,6 +1,7 @@
 #include "transport/moving_hits.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace flatray {
 namespace {
@@ -13,30 +14,51 @@ bool is_after(double time, const DoubleDouble& other) {
   return time > other.hi || (time == other.hi && 0 > other.lo);
 }
 
-// Hits of one wall after the other; the first are kept.
+// Hits of some legs of one wall after the other, then of twice as many; the first are kept: no wall is
+// followed much longer than until the first hit.
 class HitFinder {
  public:
   HitFinder(const MovingWalls& walls, const Mover& mover, const StoodOn& left)
       : walls_(walls), mover_(mover), left_(left) {}
 
-  void look_at(std::uint32_t surface) {
-    const std::vector<Leg>& legs = walls_.legs(surface);
+  std::vector<MovingHit> find() && {
+    std::vector<std::size_t> next(walls_.world.surfaces.size());
+    for (std::uint32_t i = 0; i < next.size(); ++i) {
+      const std::vector<Leg>& legs = walls_.legs(i);
+      const auto first =
+          std::ranges::partition_point(legs, [&](const Leg& leg) { return is_after_end(leg); });
+      next[i] = static_cast<std::size_t>(first - legs.begin());
+    }
+    bool more = true;
+    for (std::size_t count = 1; std::exchange(more, false); count *= 2)
+      for (std::uint32_t i = 0; i < next.size(); ++i) {
+        const std::size_t all = walls_.legs(i).size(),
+                          end = next[i] + std::min(count, all - next[i]);
+        next[i] = look_at(i, next[i], end) ? all : end;
+        more = more || next[i] < all;
+      }
+    std::ranges::sort(found_, {}, &MovingHit::surface);
+    return std::move(found_);
+  }
+
+ private:
+  // Whether what it comes to in later legs of a wall comes after the first hits.
+  bool look_at(std::uint32_t surface, std::size_t begin, std::size_t end) {
     const double gone = walls_.gone_from[walls_.motion_of[surface]];
-    for (const Leg& leg : legs) {
-      if (is_after_end(leg) || leg.begin >= gone) continue;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Leg& leg = walls_.legs(surface)[i];
+      if (leg.begin >= gone) return true;
       if (!found_.empty() && is_after(leg.begin, mover_.since) &&
           compare(MeetTime::at(mover_, leg.begin), found_.front().time) > 0)
-        return;
+        return true;
       const Window window{leg.begin, std::min(leg.end, gone), gone < kInfinity};
       if (walls_.world.surfaces.visit_line_or_arc(
               surface, [&](const auto& wall) { return meets(moved(wall), surface, leg, window); }))
-        return;
+        return true;
     }
+    return false;
   }
 
-  std::vector<MovingHit> found() && { return std::move(found_); }
-
- private:
   // Clock times of a leg; closed but where the wall goes at its end.
   struct Window {
     double begin, end;
@@ -132,16 +154,14 @@ Sign side_at(const Circle& wall, const Leg& leg, const Mover& mover, const MeetT
 }  // namespace
 
 const Leg& leg_at(const std::vector<Leg>& legs, const DoubleDouble& time) {
-  const auto after =
-      std::ranges::find_if(legs, [&](const Leg& leg) { return is_after(leg.begin, time); });
+  const auto after = std::ranges::partition_point(
+      legs, [&](const Leg& leg) { return !is_after(leg.begin, time); });
   return after == legs.begin() ? legs.front() : *(after - 1);
 }
 
 std::vector<MovingHit> first_hits(const MovingWalls& walls, const Mover& mover,
                                   const StoodOn& left) {
-  HitFinder search(walls, mover, left);
-  for (std::uint32_t i = 0; i < walls.world.surfaces.size(); ++i) search.look_at(i);
-  return std::move(search).found();
+  return HitFinder(walls, mover, left).find();
 }
 
 Sign side_at(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover,

@@ -27,6 +27,7 @@ render 120 edge_rays
 collide 400 zigzags
 render 200 circles
 orbit 200 rings
+orbit 100 legs
 render 200 groups
 check 250 keys
 check 200 includes
@@ -87,6 +88,11 @@ scene() {
         for (i = 0; i < n; i++)
           printf "[[entity]]\nmaterial = \"mirror\"\nshape = { circle = { centre = [%.3f, 0], radius = 1 } }\n", i / 1000
         print "[[ray]]\nat = [0, 3]\ndirection = [0.1, -1]\nbounces = 3"
+      } else if (name == "legs") {  # of a mirror that goes to and fro, and one that rests
+        printf "[[entity]]\nmaterial = \"mirror\"\nshape = { segment = { from = [0, -9], to = [0, 9] } }\nat = { keys = ["
+        for (i = 0; i < n; i++) printf "%s[%.2f, [%.1f, 0]]", i ? ", " : "", i / 100, 5 + i % 2 / 10
+        print "] }\n[[entity]]\nmaterial = \"mirror\"\nshape = { segment = { from = [-5, -9], to = [-5, 9] } }"
+        printf "[[ray]]\nat = [0, 0]\ndirection = [1, 0]\nspeed = 1000\nbounces = %d\n", n
       } else if (name == "groups") {
         for (i = 0; i < n; i++)
           printf "[[group]]\nname = \"g%d\"\nat = [1, 0]\n%s", i, i ? sprintf("group = \"g%d\"\n", i / 2) : ""

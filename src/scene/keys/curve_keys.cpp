@@ -133,6 +133,7 @@ std::optional<CurveId> read_curves(Builder& builder, const Field& field, const C
   for (Curve& curve : *curves) {
     if (change != nullptr)
       for (double& value : curve.values) value = change(value);
+    curve.largest = std::max(std::fabs(lowest(curve)), std::fabs(highest(curve)));
     builder.scene.curves.push_back(std::move(curve));
   }
   if (!has_distribution(field.value)) builder.fixed_curves.emplace(&field.value, first);
