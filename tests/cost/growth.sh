@@ -31,6 +31,7 @@ orbit 100 legs
 render 200 groups
 check 250 keys
 check 200 includes
+convert 2000 named
 '
 
 # scene NAME N FILE
@@ -110,6 +111,8 @@ scene() {
           printf "%s\"%s\"", i ? ", " : "", part
         }
         print "]"
+      } else if (name == "named") {
+        for (i = 0; i < n; i++) printf "[[group]]\nname = \"g%d\"\n", i
       }
     }' >"$3"
 }
@@ -118,6 +121,7 @@ scene() {
 instructions() {
   local more=()
   [[ $1 != collide ]] || more=(--method edge-rays --last 1)
+  [[ $1 != convert ]] || more=(-)
   [[ $1 != render ]] || more=(--size 256x256 -j 1 --quiet -o "$2.png")
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$flatray" "$1" "$2" "${more[@]}" 2>&1 |
     sed -n 's/.*Collected : \([0-9]*\).*/\1/p'

@@ -74,9 +74,9 @@ class Writer {
     std::vector<Section> sections;
     for (const Member& member : desc.root.members) {
       if (is_tables(member.value))
-        sections.push_back({&member, member.value.items});
+        sections.push_back({&member, member.value.items, true});
       else if (is_filled_table(member.value) && (!fits(member) || !sections.empty()))
-        sections.push_back({&member, {&member.value, 1}});
+        sections.push_back({&member, {&member.value, 1}, false});
       else
         line(member);
     }
@@ -86,7 +86,7 @@ class Writer {
     };
     while (!sections.empty()) {
       const auto next = std::ranges::min_element(sections, {}, place);
-      section(key_text(next->member->key), next->waiting.front(), is_tables(next->member->value));
+      section(key_text(next->member->key), next->waiting.front(), next->is_item);
       next->waiting = next->waiting.subspan(1);
       if (next->waiting.empty()) sections.erase(next);
     }
@@ -96,6 +96,7 @@ class Writer {
   struct Section {
     const Member* member;
     std::span<const Value> waiting;  ///< its tables that are not yet written
+    bool is_item;                    ///< of a list
   };
 
   static bool is_filled_table(const Value& value) {
