@@ -31,6 +31,7 @@ orbit 100 legs
 render 200 groups
 check 250 keys
 check 200 includes
+check 1000 round_holes
 convert 2000 named
 '
 
@@ -111,6 +112,9 @@ scene() {
           printf "%s\"%s\"", i ? ", " : "", part
         }
         print "]"
+      } else if (name == "round_holes") {
+        print "[[chamber]]\nshape = { circle = { radius = 1 } }"
+        for (i = 0; i < n; i++) printf "[[chamber.holes]]\nfrom = %.9f\nto = %.9f\n", (i + 0.2) / n, (i + 0.6) / n
       } else if (name == "named") {
         for (i = 0; i < n; i++) printf "[[group]]\nname = \"g%d\"\n", i
       }

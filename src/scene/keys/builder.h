@@ -34,6 +34,16 @@ struct Builder {
   std::map<std::string, Named> entity_names{};  ///< of the entities read so far
 };
 
+/// Names of a map to suggest one of them: the first, as thousands of words may be wrong.
+template <class Map>
+std::vector<std::string> some_names(const Map& known) {
+  constexpr std::size_t kEnough = 1000;
+  std::vector<std::string> names;
+  for (auto one = known.begin(); one != known.end() && names.size() < kEnough; ++one)
+    if (!one->first.empty()) names.push_back(one->first);
+  return names;
+}
+
 /// Builds a shape, `{ KIND = { ... } }`, into the scene; nullopt where it is wrong.
 std::optional<ShapeId> read_shape(Builder& builder, const Field& field);
 

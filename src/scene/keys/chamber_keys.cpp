@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/number_text.h"
 #include "scene/keys/look_keys.h"
@@ -43,21 +44,20 @@ constexpr Key<Hole> kHoleKeys[] = {
 };
 
 void read_holes(Builder& builder, const Field& field, Chamber& chamber) {
+  std::set<std::string> taken;
   each_table(builder, field, [&](const Value& table) {
     Hole hole;
     hole.where = table.where;
     read_keys(builder, table, "hole", kHoleKeys, hole);
-    const auto is_taken = [&] {
-      return std::ranges::any_of(chamber.holes, [&](const Hole& h) { return h.name == hole.name; });
-    };
     if (hole.name.empty())
-      for (std::size_t n = chamber.holes.size() + 1; hole.name.empty() || is_taken(); ++n)
+      for (std::size_t n = chamber.holes.size() + 1; hole.name.empty() || taken.contains(hole.name);
+           ++n)
         hole.name = fmt::format("hole {}", n);
     if (!(hole.from >= 0 && hole.from < hole.to && hole.from <= 1))
       builder.in.problem(table.where, "the hole is nowhere",
                          "from and to are shares of the wall: 0 <= from < to <= 1; round a circle "
                          "to may lie beyond 1");
-    if (is_taken())
+    if (!taken.insert(hole.name).second)
       builder.in.problem(table.where, fmt::format("two holes are named '{}'", hole.name),
                          "give each hole its own name");
     chamber.holes.push_back(std::move(hole));

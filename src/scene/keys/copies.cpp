@@ -16,7 +16,7 @@ std::optional<std::vector<std::uint32_t>> copies_of_group(Builder& builder, cons
   if (const auto found = builder.groups.find(*name); found != builder.groups.end())
     return found->second.empty() ? std::nullopt : std::optional(found->second);
   return builder.in.refuse(
-      unknown_word(field.value.where, "group", *name, names_of(builder.groups)));
+      unknown_word(field.value.where, "group", *name, some_names(builder.groups)));
 }
 
 }  // namespace

@@ -173,15 +173,6 @@ void read_entity(Builder& builder, const Value& table) {
                       kEntityKeys, add);
 }
 
-// Enough of them to suggest one.
-std::vector<std::string> some_names(const Builder& builder) {
-  constexpr std::size_t kEnough = 1000;
-  std::vector<std::string> names;
-  for (const auto& [name, entity] : builder.entity_names)
-    if (!name.empty() && names.size() < kEnough) names.push_back(name);
-  return names;
-}
-
 }  // namespace
 
 void read_entities(Builder& builder, const Field& field, Scene&) {
@@ -204,7 +195,8 @@ std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {
     return builder.in.refuse({field.value.where, fmt::format("'{}' has copies", *name),
                               fmt::format("call one of them: \"{}\"", copy->first)});
   if (found == builder.entity_names.end())
-    return builder.in.refuse(unknown_word(field.value.where, "entity", *name, some_names(builder)));
+    return builder.in.refuse(
+        unknown_word(field.value.where, "entity", *name, some_names(builder.entity_names)));
   if (found->second.count == 1) return found->second.index;
   return builder.in.refuse({field.value.where, fmt::format("two entities are named '{}'", *name),
                             "give each a name of its own"});

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
 #include "geom/predicates.h"
 #include "scene/outlines/outline.h"
@@ -118,9 +119,12 @@ struct Fitting {
   const std::vector<Edge>& edges;
   const Chamber& chamber;
   std::vector<std::vector<Gap>> gaps = std::vector<std::vector<Gap>>(edges.size());
+  std::multimap<std::int32_t, std::size_t> by_number{};  // places in `edges`
   Diagnostics problems{};
 
   void fit() {
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      by_number.emplace(std::max(edges[k].number, 0), k);
     for (std::uint32_t i = 0; i < chamber.holes.size(); ++i) add(i);
     for (std::vector<Gap>& some : gaps) {
       std::ranges::sort(some, {}, &Gap::from);
@@ -130,21 +134,15 @@ struct Fitting {
   }
   void add(std::uint32_t number) {
     const Hole& hole = chamber.holes[number];
-    std::size_t found = edges.size();
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      if (std::max(edges[k].number, 0) != hole.edge) continue;
-      if (found < edges.size())
-        return problem(hole, fmt::format("edge {} is in several parts", hole.edge),
-                       "write the shape so that nothing touches this edge within");
-      found = k;
-    }
-    if (found == edges.size()) {
-      std::int32_t last = 0;
-      for (const Edge& edge : edges) last = std::max(last, edge.number);
+    const auto [first, end] = by_number.equal_range(hole.edge);
+    if (first == end)
       return problem(hole, fmt::format("the walls have no edge {}", hole.edge),
-                     fmt::format("they are numbered from 0 to {}", last));
-    }
-    const Edge& edge = edges[found];
+                     fmt::format("they are numbered from 0 to {}",
+                                 by_number.empty() ? 0 : by_number.rbegin()->first));
+    if (std::next(first) != end)
+      return problem(hole, fmt::format("edge {} is in several parts", hole.edge),
+                     "write the shape so that nothing touches this edge within");
+    const Edge& edge = edges[first->second];
     if (!(hole.to <= 1) && !edge.is_round())
       return problem(hole, "the hole reaches beyond its edge", "to is at most 1");
     if (!(hole.to - hole.from < 1) && edge.is_round())
@@ -152,7 +150,7 @@ struct Fitting {
     const Gap gap = gap_of(edge, hole, number);
     if (edge.at(gap.from) == edge.at(gap.to))
       return problem(hole, "the ends of the hole are the same doubles", "make it larger");
-    gaps[found].push_back(gap);
+    gaps[first->second].push_back(gap);
   }
   void check_apart(const Gap& one, const Gap& next, double round) {
     if (one.to <= next.from + round) return;

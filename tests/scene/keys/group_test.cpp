@@ -33,6 +33,14 @@ TEST(Groups, MayStandAnywhereInTheFile) {
   EXPECT_EQ(scene.entities[0].layer, -2);
 }
 
+// Not all of them for each wrong word, as there may be thousands of both.
+TEST(Groups, OfThousandsTheFirstAreComparedWithAWrongName) {
+  std::string text = kHead;
+  for (int i = 1000; i < 2000; ++i) text += group("g" + std::to_string(i));
+  expect_problem(text + group("zebra") + disc("e", "group = \"g100O\""), "did you mean 'g1000'?");
+  expect_problem(text + group("zebra") + disc("e", "group = \"zebrb\""), "known: g1000, ");
+}
+
 TEST(Groups, HaveAScaleAboveZero) {
   const Scene scene = loaded(kHead + group("a", "scale = 2.5") + group("b")).scene;
   EXPECT_EQ(scene.groups[0].scale.value, 2.5);
