@@ -133,6 +133,30 @@ says err 'scenes are written as TOML'
 "$flatray" convert - - < far/away/outline.obj > /dev/null 2> err.txt
 [[ $? == 2 ]] || fail "an outline without a name is converted"
 says err 'no name to refer to'
+# Nor what TOML cannot hold.
+{ printf 'A, 1.'; printf '1%.0s' {1..300}; echo ', 2'; } > digits.list
+run 0 convert digits.list digits.toml
+run 0 check digits.toml
+latin() { head -c "$1" /dev/zero | tr '\0' '\351' && echo ', 3, 4'; }
+latin 2048 > latin.list
+run 0 convert latin.list latin.toml
+run 0 check latin.toml
+{ echo 'A, 1, 2' && latin 2049; } > long.list
+run 0 check long.list
+run 4 convert long.list long.toml
+says err 'long.list:2:1: error: this takes 4098 bytes as UTF-8'
+printf 'v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n' > $'\xe9.obj'
+run 4 convert $'\xe9.obj' latin.toml --force
+says err 'is not UTF-8, as TOML is'
+run 0 check latin.toml
+# Each byte becomes six: 2900 names are 70 MB.
+name=$(head -c 4000 /dev/zero | tr '\0' '\1')
+for i in {1..2900}; do echo "$i$name, 1, 2"; done > large.list
+run 4 convert large.list large.toml
+says err 'large.list: error: as TOML, the scene is '
+absent large.toml
+printf 'flatray = 1\ninclude = ["large.list"]\n' > holds.toml
+run 0 check holds.toml
 # What check refuses is not converted.
 run 4 convert "$root/scenes/chamber/lorentz.toml" pillar.toml -D chamber.0.pillars.0.shape.circle.radius=90
 says err "overlap"

@@ -1,5 +1,8 @@
 #include "scene/reading/file_names.h"
 
+#include <fmt/core.h>
+
+#include "base/utf8.h"
 #include "scene/reading/overrides.h"
 
 namespace flatray {
@@ -27,6 +30,10 @@ struct Rebase {
     const fs::path base = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), error);
     const fs::path relative = target.lexically_relative(base);
     name.text = (relative.empty() ? target : relative).generic_string();
+    if (utf8_prefix(name.text) < name.text.size())
+      problems.push_back({name.where ? name.where : named_place(scene.string()),
+                          fmt::format("the file name '{}' is not UTF-8, as TOML is", name.text),
+                          "rename the file or its folder"});
   }
 
   void value(Value& any) {

@@ -10,7 +10,7 @@ namespace flatray {
 ///
 /// Needs   `scene`, the name of the scene's file, to which names given by -D are relative.
 /// Error   Trouble::usage: the scene is itself the file and came from standard input, so that it
-///         has no name.
+///         has no name. Trouble::invalid: names that are not UTF-8, which no TOML can refer to.
 Result<void> rebase_file_names(SceneDesc& desc, const std::filesystem::path& scene,
                                const std::filesystem::path& folder);
 

@@ -13,8 +13,6 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kMaxStringBytes = 4096;
-
 // The key alone, of "film.size" or "film.world[0]".
 std::string last_name(const std::string& name) {
   const std::size_t dot = name.rfind('.');
@@ -202,9 +200,9 @@ std::optional<Bounds> Reader::box(const Field& field) {
 
 std::optional<std::string> Reader::string(const Field& field) {
   if (!is(field, Value::Kind::string, "a string")) return std::nullopt;
-  if (field.value.text.size() <= kMaxStringBytes) return field.value.text;
+  if (field.value.text.size() <= kMostStringBytes) return field.value.text;
   return refuse(field, fmt::format("is {} bytes long", field.value.text.size()),
-                fmt::format("strings end at {} bytes", kMaxStringBytes));
+                fmt::format("strings end at {} bytes", kMostStringBytes));
 }
 
 std::optional<bool> Reader::flag(const Field& field) {

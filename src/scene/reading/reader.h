@@ -22,6 +22,9 @@ struct Field {
   Field item(std::size_t index) const;
 };
 
+/// What a string may be long.
+inline constexpr std::size_t kMostStringBytes = 4096;
+
 template <class E>
 using Word = std::pair<const char*, E>;
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "base/number_text.h"
 #include "base/utf8.h"
 #include "scene/reading/numbers.h"
 
@@ -13,7 +14,8 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kColumns = 100;
-constexpr std::size_t kWhole = 30;  // columns of what is never broken: points, short lists
+constexpr std::size_t kWhole = 30;          // columns of what is never broken: points, short lists
+constexpr std::size_t kMostOfNumber = 128;  // characters that toml++ reads of one, a sign aside
 
 bool is_bare_key(std::string_view key) {
   return !key.empty() && std::ranges::all_of(key, [](char c) {
@@ -48,7 +50,6 @@ std::string key_text(std::string_view key) {
 
 std::string number_of(const Decimal& decimal) {
   const std::string sign = decimal.negative ? "-" : "", &digits = decimal.digits;
-  if (digits.empty()) return "0";
   const long point = static_cast<long>(digits.size()) + decimal.exponent;  // digits before it
   const std::string tail = digits.size() > 1 ? "." + digits.substr(1) : "";
   const std::string power = fmt::format("{}{}e{}", digits[0], tail, point - 1);
@@ -204,10 +205,14 @@ class Writer {
 }  // namespace
 
 std::string shortest_number(std::string_view literal) {
-  const std::optional<Decimal> decimal = parse_decimal(literal);
-  if (!decimal) return std::string(literal);
-  const bool negative_zero = decimal->digits.empty() && literal.starts_with('-');
-  return negative_zero ? "-0.0" : number_of(*decimal);
+  if (const std::optional<Decimal> decimal = parse_decimal(literal)) {
+    const bool negative = literal.starts_with('-');
+    if (decimal->digits.empty()) return negative ? "-0.0" : "0";
+    std::string text = number_of(*decimal);
+    if (text.size() <= kMostOfNumber + (negative ? 1 : 0)) return text;
+  }
+  const std::optional<Number> number = parse_literal(literal);
+  return number ? shortest_number(number_text(number->value)) : std::string(literal);
 }
 
 std::string write_toml(const SceneDesc& desc) {

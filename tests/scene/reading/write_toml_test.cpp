@@ -118,6 +118,22 @@ TEST(WriteToml, NumbersAreTheShortestOfTheirDecimal) {
   for (const auto& [from, to] : cases) EXPECT_EQ(shortest_number(from), to);
 }
 
+// toml++ reads 128 characters of a number, a sign aside.
+TEST(WriteToml, NumbersTooLongForTomlBecomeTheirDouble) {
+  const std::string ones(126, '1'), more(300, '1'), zeros(140, '0');
+  const std::pair<std::string, std::string> cases[] = {
+      {"-0." + ones, "-0." + ones},
+      {"-0.1" + ones, "-0.1111111111111111"},
+      {"1." + more, "1.1111111111111112"},
+      {"1" + more, "1.1111111111111112e300"},
+      {"1.5" + zeros, "1.5"},
+      {"0." + zeros + "25", "2.5e-141"},
+      {"123456789012345678901." + more, "123456789012345680000.0"},
+      {"-1.e-200000", "-0.0"},
+  };
+  for (const auto& [from, to] : cases) EXPECT_EQ(shortest_number(from), to) << from;
+}
+
 TEST(WriteToml, MembersOfATableKeepTheirOrder) {
   const std::string text = fmt::format(
       "[[entity]]\nshape = {{ a = 1 }}\nb = [1]\nlast = {{ c = \"{}\" }}\n[[entity.parts]]\nd = "
