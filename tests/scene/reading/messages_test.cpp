@@ -254,6 +254,19 @@ TEST(Messages, AHintListsFewOfManyNames) {
   EXPECT_LT(unknown.hint.size(), 3000U);
 }
 
+// Each of n unknown names was compared with all of n groups: 8000 of both took 20 s.
+TEST(Messages, AnUnknownGroupIsComparedWithAThousandNames) {
+  for (const int count : {1000, 1001}) {
+    std::string text = "flatray = 1\n";
+    for (int i = 1; i < count; ++i) text += fmt::format("[[group]]\nname = \"{:04}\"\n", i);
+    text += "[[group]]\nname = \"meant\"\n";
+    const std::string told =
+        refusal(text + "[[entity]]\nshape = { circle = { radius = 1 } }\ngroup = \"maent\"");
+    EXPECT_EQ(told.find("did you mean 'meant'?") != std::string::npos, count == 1000) << told;
+    EXPECT_NE(told.find("unknown group 'maent'"), std::string::npos) << told;
+  }
+}
+
 TEST(Messages, SeedsAreExactBeyondTheDoubles) {
   EXPECT_EQ(loaded("flatray = 1\nseed = 9007199254740993").scene.seed, 9007199254740993u);
   EXPECT_EQ(loaded("flatray = 1\nseed = 0x7fffffffffffffff").scene.seed, 0x7fffffffffffffffu);
