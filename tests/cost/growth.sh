@@ -33,6 +33,7 @@ check 250 keys
 check 200 includes
 check 1000 round_holes
 convert 2000 named
+hit 250 row
 '
 
 # scene NAME N FILE
@@ -86,6 +87,8 @@ scene() {
       } else if (name == "circles") {
         for (i = 0; i < n; i++)
           printf "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [%.3f, %.3f]\n", 50 * rand(), 50 * rand()
+      } else if (name == "row") {  # of discs, whose hits have no room for words in a diagram
+        for (i = 0; i < n; i++) printf "[[entity]]\nshape = { circle = { radius = 0.4 } }\nat = [%d, 0]\n", i
       } else if (name == "rings") {  # mirrors that nearly lie on one another
         for (i = 0; i < n; i++)
           printf "[[entity]]\nmaterial = \"mirror\"\nshape = { circle = { centre = [%.3f, 0], radius = 1 } }\n", i / 1000
@@ -126,6 +129,7 @@ instructions() {
   local more=()
   [[ $1 != collide ]] || more=(--method edge-rays --last 1)
   [[ $1 != convert ]] || more=(-)
+  [[ $1 != hit ]] || more=(--ray -1,0,1,0 --svg)
   [[ $1 != render ]] || more=(--size 256x256 -j 1 --quiet -o "$2.png")
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$flatray" "$1" "$2" "${more[@]}" 2>&1 |
     sed -n 's/.*Collected : \([0-9]*\).*/\1/p'

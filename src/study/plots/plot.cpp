@@ -1,5 +1,7 @@
 #include "study/plots/plot.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,7 +56,7 @@ class PlotDrawing {
       is_marked(series) ? marks(series, ink, look, labels) : line(series, ink, look);
       if (count_shown(series) > 0 && !series.name.empty()) name(series, ink, look);
     }
-    labels.draw(out_);
+    const std::size_t unlabelled = labels.draw(out_);
     if (plot_.bar) bar(*plot_.bar);
     for (const auto& [colour, words] : plot_.kinds) {
       if (is_legend_full()) continue;
@@ -62,6 +64,7 @@ class PlotDrawing {
       out_.marks.push_back(
           Drawing::Path{box_of(at - Vec2(20, 6), at + Vec2(-6, 6)), {"axis", colour}, true});
     }
+    if (unlabelled > 0) next_name(fmt::format("{} points without words", unlabelled));
     below();
     return std::move(out_);
   }

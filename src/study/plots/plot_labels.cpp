@@ -10,7 +10,8 @@ namespace {
 constexpr double kHalfHeight = 7, kGapBeside = 2,
                  kMarkRoom = 4;  // of words, beside them, of what else is kept free
 constexpr std::array kAway = {9.0, 15.0, 24.0, 36.0, 50.0, 66.0, 84.0, 104.0, 126.0, 150.0};
-constexpr double kNear = 15;  // up to which no line need lead to the words
+constexpr double kNear = 15;             // up to which no line need lead to the words
+constexpr std::size_t kMostTried = 300;  // of words for which there is no place
 // Right, left, above, below and between.
 const std::array<Vec2, 8> kSides = {Vec2(1, 0),      Vec2(-1, 0),     Vec2(0, -1),
                                     Vec2(0, 1),      Vec2(0.7, -0.7), Vec2(-0.7, -0.7),
@@ -27,7 +28,7 @@ double anchor(const Vec2& side) { return side.x() > 0 ? 0 : side.x() < 0 ? 1 : 0
 
 }  // namespace
 
-void PointLabels::draw(Drawing& onto) const {
+std::size_t PointLabels::draw(Drawing& onto) const {
   const Vec2 room(kMarkRoom, kMarkRoom);
   std::vector<Bounds> boxes;
   for (const Vec2& point : points_) boxes.push_back({point - room, point + room});
@@ -37,26 +38,33 @@ void PointLabels::draw(Drawing& onto) const {
   const auto is_free = [&](const Bounds& box) {
     const Bounds frame{low_, high_};
     bool free = frame.contains(box.low) && frame.contains(box.high);
+    if (!free) return false;
     taken.each_near(box, [&](std::uint32_t k) { free = free && !overlap(box, taken.boxes()[k]); });
     return free;
   };
-  for (const Label& label : labels_)
-    [&] {
-      for (const double away : kAway)
-        for (const Vec2& side : kSides) {
-          const double width = words_width(label.words);
-          const Vec2 at = label.at + away * side;
-          const Vec2 low = at - Vec2(anchor(side) * width + kGapBeside, kHalfHeight);
-          const Bounds box{low, low + Vec2(width + 2 * kGapBeside, 2 * kHalfHeight)};
-          if (!is_free(box)) continue;
-          taken.change(number++, box);
-          if (away > kNear)
-            onto.marks.push_back(
-                Drawing::Path{{label.at + 4 * side, at - 2 * side}, {"axis", "", 0.7}});
-          onto.marks.push_back(Drawing::Words{at, label.words, anchor(side)});
-          return;
-        }
-    }();
+  const auto place = [&](const Label& label) {
+    for (const double away : kAway)
+      for (const Vec2& side : kSides) {
+        const double width = words_width(label.words);
+        const Vec2 at = label.at + away * side;
+        const Vec2 low = at - Vec2(anchor(side) * width + kGapBeside, kHalfHeight);
+        const Bounds box{low, low + Vec2(width + 2 * kGapBeside, 2 * kHalfHeight)};
+        if (!is_free(box)) continue;
+        taken.change(number++, box);
+        if (away > kNear)
+          onto.marks.push_back(
+              Drawing::Path{{label.at + 4 * side, at - 2 * side}, {"axis", "", 0.7}});
+        onto.marks.push_back(Drawing::Words{at, label.words, anchor(side)});
+        return true;
+      }
+    return false;
+  };
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; i < labels_.size(); ++i) {
+    if (left_out == kMostTried) return labels_.size() - i + left_out;
+    if (!place(labels_[i])) ++left_out;
+  }
+  return 0;
 }
 
 }  // namespace flatray

@@ -15,7 +15,9 @@ class PointLabels {
   PointLabels(const Vec2& low, const Vec2& high) : low_(low), high_(high) {}
   void keep_free(const Vec2& point) { points_.push_back(point); }
   void add(const Vec2& point, const std::string& words) { labels_.push_back({point, words}); }
-  void draw(Drawing& onto) const;
+  /// Gives   how many were left out where these are so many that no place was looked for in the end;
+  ///         0 where each had its chance.
+  std::size_t draw(Drawing& onto) const;
 
  private:
   struct Label {

@@ -124,6 +124,28 @@ TEST(Plot, TheLegendNamesWhatIsShownAlone) {
   EXPECT_FALSE(has(text, ">zeros</text>")) << "no logarithm, no mark, no name";
 }
 
+// Each looked at all others for a place that was not there: 8000 took 19 s.
+TEST(Plot, ACrowdOfPointsHasFewWordsAndSaysHowManyAreLeftOut) {
+  Plot plot{"t", "x", "y", {{"", {}, true}}};
+  const auto named = [&] {
+    int count = 0;
+    for (const auto& words : marks_of<Drawing::Words>(drawing_of(plot)))
+      if (words.words == "a point") ++count;
+    return count;
+  };
+  const auto add = [&](int count) {
+    for (int i = 0; i < count; ++i) plot.series[0].points.push_back({1, 1, 0, "a point"});
+  };
+  add(300);
+  const int few = named();
+  EXPECT_GT(few, 0);
+  EXPECT_LT(few, 100);
+  EXPECT_FALSE(has(svg(plot), "without words"));
+  add(1700);
+  EXPECT_EQ(named(), few);
+  EXPECT_TRUE(has(svg(plot), ">" + std::to_string(2000 - few) + " points without words</text>"));
+}
+
 // Found by a caustic as bright as it gets at less than its largest number.
 TEST(Plot, NumbersOfAColourBarDoNotOverlap) {
   for (const int height : {2, 20}) {
