@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <queue>
 #include <set>
 #include <tuple>
 
@@ -180,11 +179,11 @@ class Run {
   // Those at the next time at which something meets, which is now; none where the while ends.
   std::vector<Hit> next_hits() {
     std::vector<Hit> hits;
-    while (!ahead_.empty() && (hits.empty() || ahead_.top().hit.time == now_)) {
-      Prospect next = ahead_.top();
-      ahead_.pop();
-      const auto [a, b] = next.hit.pair;
-      if (stages_[a].size() != next.stage_a || stages_[b].size() != next.stage_b) continue;
+    while (!ahead_.empty() && (hits.empty() || ahead_.front().hit.time == now_)) {
+      std::ranges::pop_heap(ahead_, std::less<>());
+      Prospect next = std::move(ahead_.back());
+      ahead_.pop_back();
+      if (is_stale(next)) continue;
       if (!next.certain) {
         look_closely(next);
         continue;
@@ -193,6 +192,25 @@ class Run {
       hits.push_back(std::move(next.hit));
     }
     return hits;
+  }
+
+  // Whether one of the two has changed its way since.
+  bool is_stale(const Prospect& prospect) const {
+    const auto [a, b] = prospect.hit.pair;
+    return stages_[a].size() != prospect.stage_a || stages_[b].size() != prospect.stage_b;
+  }
+
+  // What is stale would stay until its time comes, all that a large body was ever to meet: it is left
+  // out when there are twice as many as were left the last time.
+  void expect(Prospect prospect) {
+    constexpr std::size_t kFew = 1000;
+    if (ahead_.size() >= std::max(most_ahead_, kFew)) {
+      std::erase_if(ahead_, [&](const Prospect& old) { return is_stale(old); });
+      std::ranges::make_heap(ahead_, std::less<>());
+      most_ahead_ = 2 * ahead_.size();
+    }
+    ahead_.push_back(std::move(prospect));
+    std::ranges::push_heap(ahead_, std::less<>());
   }
 
   bool is_gone(std::uint32_t i) const { return stages_[i].back().gone; }
@@ -212,7 +230,7 @@ class Run {
     if (!wait) return;
     const double soonest = std::max(time, (time + *wait) * (1 - 0x1p-50));
     if (soonest <= while_to_)
-      ahead_.push({{soonest, pair}, false, stages_[a].size(), stages_[b].size()});
+      expect({{soonest, pair}, false, stages_[a].size(), stages_[b].size()});
   }
 
   // Most pairs have changed their ways before it comes to that.
@@ -223,7 +241,7 @@ class Run {
     if (!met) return;
     met->time += from;
     if (met->time <= while_from_ || met->time > while_to_) return;
-    ahead_.push({*std::move(met), true, prospect.stage_a, prospect.stage_b});
+    expect({*std::move(met), true, prospect.stage_a, prospect.stage_b});
   }
 
   // Whether there is a way out.
@@ -260,7 +278,8 @@ class Run {
   std::size_t responding_ = 0;
   std::vector<IndexPair> overlaps_;  // at time 0
   std::set<IndexPair> left_alone_;   // marks and what they lie in
-  std::priority_queue<Prospect> ahead_;
+  std::vector<Prospect> ahead_;      // a heap
+  std::size_t most_ahead_ = 0;       // until those that came to nothing are looked for
 };
 
 }  // namespace

@@ -10,6 +10,15 @@ if [[ -z $sanitizers ]] && (ulimit -s 4000000) 2> /dev/null; then
   same all alone "without threads"
   (ulimit -v 60000 && run 70 render box.toml -f 1 -o p.png --size 8000x8000 -j 1 && says err "out of memory" && exit $((failures > 0))) || fail "no memory"
   absent p.png
+
+  # A plank that every disc meets: what the plank was to meet had it not been hit is not kept.
+  awk 'BEGIN {
+    print "flatray = 1\nframes = 31\nfps = 10\n[collisions]\nresponse = \"bounce\""
+    print "[[entity]]\nshape = { box = { min = [-1, -1], max = [3000, 0] } }"
+    for (i = 0; i < 1000; i++)
+      printf "[[entity]]\nshape = { circle = { radius = 0.5 } }\nat = [%d, %.3f]\nvelocity = [0, -1]\n", 2 * i, 1 + i * 379 % 1000 / 1000
+  }' > plank.toml
+  (limit_memory 30000 && run 0 collide plank.toml -q -j 1 && exit $((failures > 0))) || fail "a plank with many discs"
 fi
 run 124 render box.toml -f 1 -o p.png --size 8000x8000 -j 1 --max-seconds 0.001
 says err "the time of --max-seconds is over"
