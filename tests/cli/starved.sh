@@ -19,6 +19,14 @@ if [[ -z $sanitizers ]] && (ulimit -s 4000000) 2> /dev/null; then
       printf "[[entity]]\nshape = { circle = { radius = 0.5 } }\nat = [%d, %.3f]\nvelocity = [0, -1]\n", 2 * i, 1 + i * 379 % 1000 / 1000
   }' > plank.toml
   (limit_memory 30000 && run 0 collide plank.toml -q -j 1 && exit $((failures > 0))) || fail "a plank with many discs"
+  # Rows are made when they are written.
+  awk 'function round(name, radius, i) {
+    printf "[[entity]]\nname = \"%s\"\nshape = { polygon = { points = [", name
+    for (i = 0; i < 600; i++) printf "[%.9f, %.9f], ", radius * cos(i * 0.01047), radius * sin(i * 0.01047)
+    print "] } }"
+  }
+  BEGIN { print "flatray = 1"; round("a", 3); round("b", 2) }' > rounds.toml
+  (limit_memory 110000 && run 0 hit rounds.toml --from a --against b --csv && exit $((failures > 0))) || fail "many rows"
 fi
 run 124 render box.toml -f 1 -o p.png --size 8000x8000 -j 1 --max-seconds 0.001
 says err "the time of --max-seconds is over"

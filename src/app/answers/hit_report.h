@@ -52,7 +52,7 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
 
 /// As `flatray hit` prints it: for people, as rows, as an object.
 std::string text_of(const HitReport& report);
-Table csv_rows(const std::vector<HitReport>& reports);
+Table csv_rows(std::vector<HitReport> reports);
 JsonValue as_value(const HitReport& report);
 /// Of each ray the primitives it was clipped against and those it hits, the measure of the paper:
 /// needs the reports of a ray one after the other.

@@ -1,6 +1,8 @@
 // The three forms of a hit report.
 #include <fmt/core.h>
 
+#include <memory>
+
 #include "app/answers/hit_report.h"
 #include "app/report/report.h"
 #include "base/number_text.h"
@@ -60,6 +62,29 @@ Fields step_fields(const HitStep& step) {
       {"candidate", step.empty ? JsonValue() : Values{step.candidate.low, step.candidate.high}}};
 }
 
+// One for each edge, or for what has none.
+void add_rows(const HitReport& report, const std::vector<std::string>& columns,
+              const Table::EachRow& each) {
+  const JsonValue of_report = as_value(report);
+  const auto add = [&](const JsonValue& of_step) {
+    Values row;
+    for (const std::string& column : columns) {
+      const JsonValue *a = of_step.find(column), *b = of_report.find(column);
+      row.push_back(a != nullptr ? *a : b != nullptr ? *b : JsonValue());
+    }
+    each(row);
+  };
+  for (const HitStep& step : report.steps) {
+    Fields fields = step_fields(step);
+    if (!step.edge) fields.front().second = "cut";
+    if (!step.empty)
+      fields.insert(fields.end(), {{"candidate_enter", step.candidate.low},
+                                   {"candidate_exit", step.candidate.high}});
+    add(std::move(fields));
+  }
+  if (report.steps.empty()) add({});
+}
+
 }  // namespace
 
 std::string text_of(const HitReport& report) {
@@ -72,28 +97,13 @@ std::string text_of(const HitReport& report) {
 }
 
 // Of the fields of --json those called as the columns; edges and candidates are told otherwise.
-Table csv_rows(const std::vector<HitReport>& reports) {
+Table csv_rows(std::vector<HitReport> reports) {
   Table table({"ray", "against", "edge", "numerator", "denominator", "t", "kind", "candidate_enter",
                "candidate_exit", "class", "t_enter", "t_exit", "edge_enter", "edge_exit", "start"});
-  for (const HitReport& report : reports) {
-    const JsonValue of_report = as_value(report);
-    const auto add = [&](const JsonValue& of_step) {
-      Values& row = table.rows.emplace_back();
-      for (const std::string& column : table.columns) {
-        const JsonValue *a = of_step.find(column), *b = of_report.find(column);
-        row.push_back(a != nullptr ? *a : b != nullptr ? *b : JsonValue());
-      }
-    };
-    for (const HitStep& step : report.steps) {
-      Fields fields = step_fields(step);
-      if (!step.edge) fields.front().second = "cut";
-      if (!step.empty)
-        fields.insert(fields.end(), {{"candidate_enter", step.candidate.low},
-                                     {"candidate_exit", step.candidate.high}});
-      add(std::move(fields));
-    }
-    if (report.steps.empty()) add({});
-  }
+  table.made = [columns = table.columns, all = std::make_shared<const std::vector<HitReport>>(
+                                             std::move(reports))](const Table::EachRow& each) {
+    for (const HitReport& report : *all) add_rows(report, columns, each);
+  };
   return table;
 }
 

@@ -180,9 +180,9 @@ void tell_left_out(const Options& options, const Scene& scene,
   report_warnings(warnings, options);
 }
 
-VerbOutput show(const std::vector<HitReport>& reports) {
-  VerbOutput output{.of_all = {{"primitives", primitives_hit(reports)}},
-                    .table = csv_rows(reports)};
+VerbOutput show(const Options& options, std::vector<HitReport> reports) {
+  if (options.has("csv")) return {.table = csv_rows(std::move(reports))};
+  VerbOutput output{.of_all = {{"primitives", primitives_hit(reports)}}};
   for (const HitReport& report : reports)
     output.add(as_value(report), (output.text.empty() ? "" : "\n") + text_of(report));
   return output;
@@ -204,7 +204,7 @@ Result<VerbOutput> run(const Options& options) {
   if (reports.empty()) return nothing_to_clip(options);
   if (options.has("svg"))
     return VerbOutput{{svg_of(*scene, *state, asked_about(options, *scene, *questions), reports)}};
-  return show(reports);
+  return show(options, std::move(reports));
 }
 
 }  // namespace
