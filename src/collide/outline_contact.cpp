@@ -6,6 +6,7 @@
 #include "anim/world.h"
 #include "base/parallel.h"
 #include "collide/contact_batch.h"
+#include "collide/near_parts.h"
 #include "geom/polygon.h"
 #include "scene/outlines/rounded.h"
 
@@ -68,27 +69,6 @@ void count_cuts(const MovingParts& pieces, const MovingParts& others, Range with
                     within, met);
 }
 
-// By what contact tells of each part of the one with each of the other, in order.
-std::vector<MeetingPart> parts_meet(const MovingParts& a, const MovingParts& b,
-                                    const Contact* contact, Range within) {
-  std::vector<MeetingPart> met;
-  for (const ShapePart& p : a.parts)
-    for (const ShapePart& q : b.parts) {
-      const Contact& found = *contact++;
-      if (p.curve || q.curve) {
-        if (const auto part = curved_parts_meet(p, a.velocity, q, b.velocity, within))
-          met.push_back(*part);
-      } else if (found.times) {
-        met.push_back(meeting_part(found, a.body(p), b.body(q)));
-      }
-    }
-  join(met);
-  if (met.empty()) return met;
-  count_cuts(a, b, within, met);
-  count_cuts(b, a, within, met);
-  return met;
-}
-
 std::vector<Contact> ask(const BodySet& bodies, std::span<const MovingPair> pairs, Range within,
                          unsigned threads) {
   std::vector<Contact> found(pairs.size());
@@ -99,6 +79,116 @@ std::vector<Contact> ask(const BodySet& bodies, std::span<const MovingPair> pair
   });
   return found;
 }
+
+// What parts of many pairs of bodies do, asked some at a time: of parts that stay apart nothing is kept.
+class PairsMeet {
+ public:
+  using Parts = std::vector<MeetingPart>;
+
+  PairsMeet(std::span<const MovingShape> bodies, std::span<const IndexPair> pairs, Range within,
+            unsigned threads, Outline outline)
+      : bodies_(bodies),
+        pairs_(pairs),
+        within_(within),
+        threads_(threads),
+        outline_(outline),
+        parts_(bodies.size()),
+        near_(bodies.size()),
+        first_(bodies.size()),
+        met_(pairs.size()) {}
+
+  std::vector<Parts> run() && {
+    for (const auto& [a, b] : pairs_) {
+      make_ready(a);
+      make_ready(b);
+      begin_.push_back(asks_.size());
+      const Vec2 &velocity_a = bodies_[a].velocity, &velocity_b = bodies_[b].velocity;
+      for (std::uint32_t p = 0; p < parts_[a].size(); ++p)
+        for (const std::size_t q : near_[b]->near(parts_[a][p], velocity_a - velocity_b, within_)) {
+          if (asks_.size() == kMostAsks) answer(false);
+          asks_.push_back(
+              {first_[a] + p, first_[b] + static_cast<std::uint32_t>(q), velocity_a, velocity_b});
+        }
+    }
+    answer(true);
+    return std::move(met_);
+  }
+
+ private:
+  static constexpr std::size_t kMostAsks = 1 << 16, kMostApart = 1 << 18;
+
+  void make_ready(std::uint32_t body) {
+    if (near_[body]) return;
+    parts_[body] = parts_of(*bodies_[body].shape, bodies_[body].place, outline_);
+    near_[body].emplace(parts_[body]);
+    first_[body] = static_cast<std::uint32_t>(set_.size());
+    for (const auto& [ring, radius, curve, cuts] :
+         parts_[body])  // of an ellipse, asked apart, its centre
+      set_.add(curve ? std::span(&curve->centre, 1) : std::span(ring), radius);
+  }
+
+  // All that is asked, and with that all pairs but the last, to which more may come.
+  void answer(bool last_too) {
+    const std::vector<Contact> found = ask(set_, asks_, within_, threads_);
+    const std::size_t going_on = last_too ? begin_.size() : begin_.size() - 1;
+    begin_.push_back(asks_.size());
+    parallel_for(begin_.size() - 1, threads_, [&](std::size_t k) {
+      const std::size_t pair = first_pair_ + k;
+      for (std::size_t i = begin_[k]; i < begin_[k + 1]; ++i) add(pair, asks_[i], found[i]);
+      if (k < going_on) finish(pair);
+    });
+    if (last_too) return;
+    if (going_on > 0) joined_ = 0;
+    first_pair_ += going_on;
+    begin_ = {0};
+    asks_.clear();
+    join_early(met_[first_pair_]);
+  }
+
+  void add(std::size_t pair, const MovingPair& asked, const Contact& found) {
+    const auto [a, b] = pairs_[pair];
+    const ShapePart &p = parts_[a][asked.a - first_[a]], &q = parts_[b][asked.b - first_[b]];
+    if (p.curve || q.curve) {
+      if (const auto part = curved_parts_meet(p, asked.velocity_a, q, asked.velocity_b, within_))
+        met_[pair].push_back(*part);
+    } else if (found.times) {
+      met_[pair].push_back(meeting_part(found, set_.body(asked.a, asked.velocity_a),
+                                        set_.body(asked.b, asked.velocity_b)));
+    }
+  }
+
+  // What is certain is joined in any order.
+  void join_early(Parts& met) {
+    if (met.size() < 2 * joined_ + kMostApart || !std::ranges::all_of(met, &MeetingPart::certain))
+      return;
+    join(met);
+    joined_ = met.size();
+  }
+
+  void finish(std::size_t pair) {
+    const auto [a, b] = pairs_[pair];
+    Parts& met = met_[pair];
+    join(met);
+    if (met.empty()) return;
+    const MovingParts of_a{parts_[a], bodies_[a].velocity}, of_b{parts_[b], bodies_[b].velocity};
+    count_cuts(of_a, of_b, within_, met);
+    count_cuts(of_b, of_a, within_, met);
+  }
+
+  const std::span<const MovingShape> bodies_;
+  const std::span<const IndexPair> pairs_;
+  const Range within_;
+  const unsigned threads_;
+  const Outline outline_;
+  std::vector<std::vector<ShapePart>> parts_;  // of bodies that are asked about
+  std::vector<std::optional<NearParts>> near_;
+  std::vector<std::uint32_t> first_;  // number of the first of them in the set
+  BodySet set_;
+  std::vector<MovingPair> asks_;    // of pairs from `first_pair_` on
+  std::vector<std::size_t> begin_;  // of each of them
+  std::size_t first_pair_ = 0, joined_ = 0;
+  std::vector<Parts> met_;
+};
 
 }  // namespace
 
@@ -174,33 +264,7 @@ std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b,
 std::vector<std::vector<MeetingPart>> pairs_meet(std::span<const MovingShape> bodies,
                                                  std::span<const IndexPair> pairs, Range within,
                                                  unsigned threads, Outline outline) {
-  std::vector<std::vector<ShapePart>> parts(bodies.size());
-  std::vector<std::uint32_t> first(bodies.size());  // number of the first of them in the set
-  BodySet set;
-  std::vector<MovingPair> asks;
-  std::vector<std::size_t> begin;  // of each pair
-  for (const auto& [a, b] : pairs) {
-    for (const std::uint32_t body : {a, b}) {
-      if (!parts[body].empty()) continue;
-      parts[body] = parts_of(*bodies[body].shape, bodies[body].place, outline);
-      first[body] = static_cast<std::uint32_t>(set.size());
-      for (const auto& [ring, radius, curve, cuts] :
-           parts[body])  // of an ellipse, asked apart, its centre
-        set.add(curve ? std::span(&curve->centre, 1) : std::span(ring), radius);
-    }
-    begin.push_back(asks.size());
-    for (std::uint32_t p = 0; p < parts[a].size(); ++p)
-      for (std::uint32_t q = 0; q < parts[b].size(); ++q)
-        asks.push_back({first[a] + p, first[b] + q, bodies[a].velocity, bodies[b].velocity});
-  }
-  const std::vector<Contact> found = ask(set, asks, within, threads);
-  std::vector<std::vector<MeetingPart>> met(pairs.size());
-  parallel_for(pairs.size(), threads, [&](std::size_t i) {
-    const auto [a, b] = pairs[i];
-    met[i] = parts_meet({parts[a], bodies[a].velocity}, {parts[b], bodies[b].velocity},
-                        found.data() + begin[i], within);
-  });
-  return met;
+  return PairsMeet(bodies, pairs, within, threads, outline).run();
 }
 
 }  // namespace flatray

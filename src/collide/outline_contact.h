@@ -83,7 +83,8 @@ std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b,
 /// The same of each of many pairs of bodies.
 ///
 /// Needs   pairs of numbers of bodies, in any order.
-/// Cost    each body is made ready once, and all are asked together, contact_batch.h.
+/// Cost    each body is made ready once; parts are asked together, contact_batch.h, where their boxes meet,
+///         near_parts.h. Memory is that of the bodies and of what meets.
 std::vector<std::vector<MeetingPart>> pairs_meet(std::span<const MovingShape> bodies,
                                                  std::span<const IndexPair> pairs, Range within,
                                                  unsigned threads, Outline outline = Outline::own);

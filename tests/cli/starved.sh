@@ -28,6 +28,16 @@ if [[ -z $sanitizers ]] && (ulimit -s 4000000) 2> /dev/null; then
   BEGIN { print "flatray = 1"; round("a", 3); round("b", 2) }' > rounds.toml
   (limit_memory 110000 && run 0 hit rounds.toml --from a --against b --csv && exit $((failures > 0))) || fail "many rows"
 fi
+# Two outlines each of whose lines meets many of the other: no more is kept than is told.
+{
+  echo 'flatray = 1'
+  for k in 0 1; do
+    printf '[[entity]]\nshape = { polyline = { points = ['
+    for ((i = 0; i < 1500; i++)); do printf '[0.%04d, 0.%d], ' $i $((i % 2 * 9)); done
+    printf '[1, 0]] } }\nat = [%d, 0]\nvelocity = [%d, 0]\n' $((-24 * k)) $((24 * k))
+  done
+} > lines.toml
+(limit_memory 200000 && run 0 collide lines.toml --last 25 -j 1 && exit $((failures > 0))) || fail "lines of two outlines"
 run 124 render box.toml -f 1 -o p.png --size 8000x8000 -j 1 --max-seconds 0.001
 says err "the time of --max-seconds is over"
 absent p.png
