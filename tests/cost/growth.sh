@@ -25,6 +25,8 @@ render 100 same_faces
 render 100 near_faces
 render 120 edge_rays
 collide 400 zigzags
+meet 400 zigzags
+gas 100 discs
 render 200 circles
 orbit 200 rings
 orbit 100 legs
@@ -89,6 +91,9 @@ scene() {
           printf "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [%.3f, %.3f]\n", 50 * rand(), 50 * rand()
       } else if (name == "row") {  # of discs, whose hits have no room for words in a diagram
         for (i = 0; i < n; i++) printf "[[entity]]\nshape = { circle = { radius = 0.4 } }\nat = [%d, 0]\n", i
+      } else if (name == "discs") {  # of which two meet
+        for (i = 0; i < n; i++)
+          printf "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [%d, 0]\nvelocity = [%d, 1]\n", 3 * i, i == 0
       } else if (name == "rings") {  # mirrors that nearly lie on one another
         for (i = 0; i < n; i++)
           printf "[[entity]]\nmaterial = \"mirror\"\nshape = { circle = { centre = [%.3f, 0], radius = 1 } }\n", i / 1000
@@ -126,12 +131,14 @@ scene() {
 
 # instructions VERB FILE
 instructions() {
-  local more=()
+  local more=() verb=("$1")
   [[ $1 != collide ]] || more=(--method edge-rays --last 1)
   [[ $1 != convert ]] || more=(-)
   [[ $1 != hit ]] || more=(--ray -1,0,1,0 --svg)
+  [[ $1 != meet ]] || verb=(collide) more=(--last 2)
+  [[ $1 != gas ]] || verb=(experiment gas) more=(--count 1 -o "$2.out")
   [[ $1 != render ]] || more=(--size 256x256 -j 1 --quiet -o "$2.png")
-  valgrind --tool=callgrind --callgrind-out-file=/dev/null "$flatray" "$1" "$2" "${more[@]}" 2>&1 |
+  valgrind --tool=callgrind --callgrind-out-file=/dev/null "$flatray" "${verb[@]}" "$2" "${more[@]}" 2>&1 |
     sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
 }
 

@@ -6,6 +6,8 @@
 
 #include "base/counted.h"
 #include "base/hash.h"
+#include "collide/broad_phase.h"
+#include "collide/near_bodies.h"
 #include "collide/simulate.h"
 #include "scene/responses.h"
 #include "study/statistics/stretches.h"
@@ -69,22 +71,28 @@ double largest_coordinate(std::span<const SimulatedBody> bodies, const Simulatio
   return most;
 }
 
+// A body as it is at a time.
+struct PlacedBody {
+  std::vector<ShapePart> parts;
+  Vec2 velocity;
+
+  PlacedBody(const SimulatedBody& body, const Vec2& at, const Vec2& velocity_now)
+      : parts(body.parts), velocity(velocity_now) {
+    for (ShapePart& part : parts)
+      for (Vec2& p : part.ring) p = at + p;
+  }
+  // Outward by more than rounding can lose.
+  Bounds box() const { return swept(bounds_of(parts), {0, 0}, 0); }
+};
+
 // How far two bodies lie in each other, by the shorter way out along their motion; 0 apart.
-double depth(const SimulatedBody& a, const Stage& now_a, const SimulatedBody& b,
-             const Stage& now_b) {
-  const double speed = (now_b.velocity - now_a.velocity).stableNorm();
+double depth(const PlacedBody& a, const PlacedBody& b) {
+  const double speed = (b.velocity - a.velocity).stableNorm();
   double most = 0;
-  const auto placed = [](const ShapePart& part, const Vec2& at) {
-    std::vector<Vec2> ring;
-    for (const Vec2& p : part.ring) ring.emplace_back(at + p);
-    return ring;
-  };
   for (const ShapePart& p : a.parts)
     for (const ShapePart& q : b.parts) {
-      const std::vector<Vec2> ring_a = placed(p, now_a.at), ring_b = placed(q, now_b.at);
       const HitInterval met =
-          contact({ring_a, now_a.velocity, p.radius}, {ring_b, now_b.velocity, q.radius}, kLine)
-              .times;
+          contact({p.ring, a.velocity, p.radius}, {q.ring, b.velocity, q.radius}, kLine).times;
       if (met.kind == HitClass::through && met.t_enter < 0 && met.t_exit > 0)
         most = std::max(most, speed * std::min(-met.t_enter, met.t_exit));
     }
@@ -92,14 +100,20 @@ double depth(const SimulatedBody& a, const Stage& now_a, const SimulatedBody& b,
 }
 
 double deepest(std::span<const SimulatedBody> bodies, const Simulation& done, double time) {
-  std::vector<Stage> now;
-  for (const std::vector<Stage>& stages : done.stages)
-    now.push_back({time, place_at(stages, time), stages.back().velocity});
+  std::vector<PlacedBody> now;
+  std::vector<Bounds> boxes;
+  std::vector<bool> rest;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::vector<Stage>& stages = done.stages[i];
+    now.emplace_back(bodies[i], place_at(stages, time), stages.back().velocity);
+    boxes.push_back(now.back().box());
+    rest.push_back(!(bodies[i].mass < kInfinity));
+  }
   double most = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    for (std::size_t k = i + 1; k < bodies.size(); ++k)
-      if (bodies[i].mass < kInfinity || bodies[k].mass < kInfinity)
-        most = std::max(most, depth(bodies[i], now[i], bodies[k], now[k]));
+  each_overlap(boxes, rest, [&](std::uint32_t a, std::uint32_t b) {
+    most = std::max(most, depth(now[a], now[b]));
+    return true;
+  });
   return most;
 }
 
