@@ -35,7 +35,6 @@ check 250 keys
 check 200 includes
 check 1000 round_holes
 convert 2000 named
-hit 250 row
 '
 
 # scene NAME N FILE
@@ -89,8 +88,6 @@ scene() {
       } else if (name == "circles") {
         for (i = 0; i < n; i++)
           printf "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [%.3f, %.3f]\n", 50 * rand(), 50 * rand()
-      } else if (name == "row") {  # of discs, whose hits have no room for words in a diagram
-        for (i = 0; i < n; i++) printf "[[entity]]\nshape = { circle = { radius = 0.4 } }\nat = [%d, 0]\n", i
       } else if (name == "discs") {  # of which two meet
         for (i = 0; i < n; i++)
           printf "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [%d, 0]\nvelocity = [%d, 1]\n", 3 * i, i == 0
@@ -134,7 +131,6 @@ instructions() {
   local more=() verb=("$1")
   [[ $1 != collide ]] || more=(--method edge-rays --last 1)
   [[ $1 != convert ]] || more=(-)
-  [[ $1 != hit ]] || more=(--ray -1,0,1,0 --svg)
   [[ $1 != meet ]] || verb=(collide) more=(--last 2)
   [[ $1 != gas ]] || verb=(experiment gas) more=(--count 1 -o "$2.out")
   [[ $1 != render ]] || more=(--size 256x256 -j 1 --quiet -o "$2.png")
