@@ -27,8 +27,11 @@ class TurnedBody {
         widest_angle(angle.sum(length)),
         most_spin(angle.most_slope(length)),
         most_turn(angle.most_bend(length)) {
-    for (const std::uint32_t i : turned_ring(body.ring, ring_orientation(body.ring)))
-      local_.push_back(scale * body.ring[i]);
+    std::vector<Vec2> ring;
+    for (const Vec2& p : body.ring) ring.push_back(scale * p);
+    mend_convex(ring);
+    for (const std::uint32_t i : turned_ring(ring, ring_orientation(ring)))
+      local_.push_back(ring[i]);
     for (std::size_t i = 0; local_.size() > 1 && i < local_.size(); ++i) {
       const Vec2 along = local_[i + 1 == local_.size() ? 0 : i + 1] - local_[i];
       local_normals_.push_back(unit({along.y(), -along.x()}));

@@ -12,7 +12,8 @@ namespace flatray {
 /// All points within `radius` of a convex core that is carried along: a vertex p of it is where the
 /// motion is + R(its angle) p.
 struct TurningBody {
-  std::span<const Vec2> ring;  ///< the core as seen from where it turns about, as clip_convex needs
+  /// The core as seen from where it turns about: convex but for rounding.
+  std::span<const Vec2> ring;
   double radius = 0;
   RigidMotion motion{};
 };

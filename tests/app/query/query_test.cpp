@@ -137,6 +137,19 @@ TEST(Query, WhatTurnsMeetsInAnIntervalThatIsProven) {
             R"({"error":"domain: where something turns it must be \"unit\""})");
 }
 
+// As seen from the pivot, rounded, the ring turns to the right at one of its corners.
+TEST(Query, WhatTurnsAboutAPointFarAwayIsConvexStill) {
+  const std::string ask =
+      R"({"op":"contact","domain":"unit","b":{"disc":{"center":[0.35,0.4],"radius":0.1},)"
+      R"("velocity":[0,0]},"a":{"polygon":[[0,0],[0.7500000000000625,5.684341886080802e-15],)"
+      R"([0.7500000000000512,5.1159076974727215e-14],[0.3,1]],"velocity":[0,0],"spin":1,)";
+  for (const char* about : {"[1024,1024]", "[0,0]", "[-99,7]"})
+    EXPECT_EQ(
+        answer(ask + R"("about":)" + about + "}}").find(R"({"class":"through","t_first":[0,0])"),
+        0U)
+        << about << answer(ask + R"("about":)" + about + "}}");
+}
+
 TEST(Query, ContactWithoutRelativeMotionHasNoEndsAndAMissNoTimes) {
   const std::string square = R"("polygon":[[0,0],[1,0],[1,1],[0,1]],"velocity":[1,2]})";
   const std::string ask = R"({"op":"contact","domain":"always","a":{)" + square;
