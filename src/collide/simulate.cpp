@@ -203,8 +203,8 @@ class Run {
   // What is stale would stay until its time comes, all that a large body was ever to meet: it is left
   // out when there are twice as many as were left the last time.
   void expect(Prospect prospect) {
-    constexpr std::size_t kFew = 1000;
-    if (ahead_.size() >= std::max(most_ahead_, kFew)) {
+    constexpr std::size_t kAllowed = 1000;
+    if (ahead_.size() >= std::max(most_ahead_, kAllowed)) {
       std::erase_if(ahead_, [&](const Prospect& old) { return is_stale(old); });
       std::ranges::make_heap(ahead_, std::less<>());
       most_ahead_ = 2 * ahead_.size();
