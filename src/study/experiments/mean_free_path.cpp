@@ -105,8 +105,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (room.scene().field() != 0 && path.standard_error)
     withhold_what_is_too_coarse(path, kPi * most_off_of_free_centres(room) / room.perimeter());
   if (all.corners > kMostIntoCorners * static_cast<double>(plan->orbits))
-    withhold_error(path, fmt::format("no error: {:.0f} of {} orbits ended in corners, as where a "
-                                     "pillar stands on a periodic wall: look at some of them",
+    withhold_error(path, fmt::format("no error: {:.0f} of {} orbits ended in corners, as where "
+                                     "curved walls lie on one another: look at some of them",
                                      all.corners, plan->orbits));
   std::vector<Measure> measures{std::move(path),
                                 expected_within("orbits_escaped", all.escaped, 0, 0),

@@ -116,6 +116,16 @@ TEST(HonestAnswers, WallsThatLieOnOneAnotherAreRefused) {
   EXPECT_EQ(measure(*touching, "orbits_into_corners").value, 0);
 }
 
+// Of curves that is seen by what orbits come to: a disc fills an end of the room.
+TEST(HonestAnswers, MeanFreePathSaysWhereOrbitsEndInCorners) {
+  const Scene scene = room("capsule = { from = [-1, 0], to = [1, 0], radius = 1 }",
+                           "{ shape = { circle = { centre = [1, 0], radius = 1 } } }");
+  const Measure path =
+      measure(run("mean-free-path", {.scene = scene, .count = 20'000}), "mean_free_path");
+  EXPECT_FALSE(path.standard_error);
+  EXPECT_TRUE(has(path.remark, "of 200 orbits ended in corners")) << path.remark;
+}
+
 // Of so few orbits it cannot be told whether flights have a variance.
 TEST(HonestAnswers, TransportOfFewOrbitsIsUndecided) {
   const Scene scene = torus("0.35");
