@@ -157,7 +157,7 @@ class PairsMeet {
     }
   }
 
-  // What is certain is joined in any order.
+  // What is certain is joined in any parts, as long as their order stays.
   void join_early(Parts& met) {
     if (met.size() < 2 * joined_ + kMostApart || !std::ranges::all_of(met, &MeetingPart::certain))
       return;
@@ -228,7 +228,8 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place, Outline o
 }
 
 void join(std::vector<MeetingPart>& parts) {
-  std::ranges::sort(parts, {}, [](const MeetingPart& part) { return part.times.low; });
+  // Of equal ones the first stays first, whatever was joined before.
+  std::ranges::stable_sort(parts, {}, [](const MeetingPart& part) { return part.times.low; });
   for (const MeetingPart& part : std::exchange(parts, {})) add_part(parts, part);
 }
 

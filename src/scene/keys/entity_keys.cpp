@@ -121,7 +121,8 @@ bool is_lines(const Scene& scene, ShapeId shape) {
 // Filled as the entity is.
 void warn_of_unseen_states(Builder& builder, const Value& table, const Entity& entity) {
   const Member* states = table.find("states");
-  if (states == nullptr || !entity.markov || entity.stroke || table.find("stroke") != nullptr)
+  if (states == nullptr || !entity.markov || !entity.fill || entity.stroke || entity.material ||
+      table.find("stroke") != nullptr)
     return;
   const auto is_unseen = [&](const Look& look) {
     return look.shape && !look.stroke && is_lines(builder.scene, *look.shape);

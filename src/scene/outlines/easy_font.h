@@ -12,7 +12,7 @@ struct FontPixel {
 };
 struct FontLine {
   std::vector<FontPixel> pixels;  ///< each once
-  int width;                      ///< pixels, to the end of its last letter
+  int width;                      ///< pixels, to the end of its last character
 };
 inline constexpr int kFontCapitals = 7;   ///< pixels a capital is high
 inline constexpr int kFontLineStep = 12;  ///< from baseline to baseline

@@ -196,28 +196,31 @@ Result<void> expect_no_hidden_walls(const Scene& scene) {
   const World world = build_world(scene, at(Timeline(scene, scene.seed, 1), 1));
   const std::vector<std::uint32_t>& walls = world.surfaces.segment_numbers;
   std::vector<Bounds> boxes;
-  for (const std::uint32_t wall : walls) boxes.push_back(bounds_of(world.surfaces.segment(wall)));
+  std::vector<bool> of_chamber;
+  for (const std::uint32_t wall : walls) {
+    boxes.push_back(bounds_of(world.surfaces.segment(wall)));
+    of_chamber.push_back(world.owner(wall).kind == SurfaceOwner::Kind::chamber);
+  }
   std::pair<std::uint32_t, std::uint32_t> first{kNoSurface, kNoSurface};
   const auto look = [&](std::uint32_t a, std::uint32_t b) {
     const std::pair found{walls[a], walls[b]};
-    const bool slit = world.owner(found.first).kind == SurfaceOwner::Kind::chamber &&
-                      world.owner(found.second).kind == SurfaceOwner::Kind::chamber;
-    if (found < first && !slit &&
-        lie_on_one_another(world.surfaces.segment(found.first),
-                           world.surfaces.segment(found.second)))
+    if (found < first && lie_on_one_another(world.surfaces.segment(found.first),
+                                            world.surfaces.segment(found.second)))
       first = found;
     return true;
   };
-  each_overlap(boxes, std::vector<bool>(boxes.size()), look);
+  each_overlap(boxes, of_chamber, look);
   if (first.first == kNoSurface) return {};
-  const SurfaceOwner &one = world.owner(first.first), &other = world.owner(first.second);
-  const bool pillar = other.kind == SurfaceOwner::Kind::pillar;
-  const Chamber& chamber = scene.chambers[other.index];
-  return fail(pillar ? chamber.pillars[other.pillar].where : chamber.where,
-              fmt::format("a wall of {} lies on one of {}: no orbit comes between them",
-                          owner_name(scene, other), owner_name(scene, one)),
-              "write both as one outline, or leave room between them: such walls count in the "
-              "perimeter");
+  const SurfaceOwner &one = world.owner(first.first), &pillar = world.owner(first.second);
+  const bool alone = one.kind == pillar.kind && one.pillar == pillar.pillar;
+  return fail(
+      scene.chambers[pillar.index].pillars[pillar.pillar].where,
+      fmt::format("a wall of {} lies on one of {}: no orbit comes between them",
+                  owner_name(scene, pillar), alone ? "its own" : owner_name(scene, one)),
+      alone
+          ? "leave a gap, as a ring from 0 to 359.9 degrees has: such walls count in the perimeter"
+          : "write both as one outline, or leave room between them: such walls count in "
+            "the perimeter");
 }
 
 Result<void> expect_no_other_way_out(const ExperimentContext& context) {

@@ -243,6 +243,7 @@ TEST(Shapes, OfLinesInAStateAreWarnedOfWhereNothingDrawsThem) {
   EXPECT_TRUE(warnings("", ", stroke = { width_px = 1 }").empty());
   EXPECT_TRUE(warnings("\nstroke = { width_px = 1 }", "").empty());
   EXPECT_TRUE(warnings("\nstroke = 'none'", "").empty());
+  EXPECT_TRUE(warnings("\nmaterial = 'mirror'", "").empty());
 }
 
 TEST(Shapes, OfLinesThatAreFilledAreWarnedOfOnce) {

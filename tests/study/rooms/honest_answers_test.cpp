@@ -110,6 +110,12 @@ TEST(HonestAnswers, WallsThatLieOnOneAnotherAreRefused) {
     EXPECT_TRUE(has(format(refused.error()), "no orbit comes between them"))
         << format(refused.error());
   }
+  const auto ring =
+      answer(room("box = { min = [-2, -2], max = [2, 2] }",
+                  "{ shape = { sector = { radius = 1.2, inner = 0.9, from = 0, to = 360 } } }"));
+  ASSERT_FALSE(ring.has_value());
+  EXPECT_TRUE(has(format(ring.error()), "a wall of pillar 1 lies on one of its own"))
+      << format(ring.error());
   const auto touching = answer(room(box, on_tip));
   ASSERT_TRUE(touching.has_value()) << format(touching.error());
   EXPECT_TRUE(agrees(measure(*touching, "mean_free_path")));
