@@ -21,6 +21,28 @@ CarriedShape turning(const Shape& shape, const Vec2& at, const Vec2& velocity, d
   return {&shape, {even_motion(at, velocity, angle, spin)}};
 }
 
+// What is told of parts that begin together is that of the first, however many were joined before.
+TEST(OutlineContact, WhatIsJoinedInPartsIsWhatIsJoinedAtOnce) {
+  for (const std::size_t before : {1U, 17U, 50U, 99U}) {
+    std::vector<MeetingPart> all;
+    for (int i = 0; i < 100; ++i)
+      all.push_back({{static_cast<double>(i % 2), 3},
+                     HitClass::through,
+                     StartPlace::outside,
+                     {i, 0},
+                     {1, 0}});
+    std::vector<MeetingPart> some(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(before));
+    join(some);
+    some.insert(some.end(), all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
+    join(some);
+    join(all);
+    ASSERT_EQ(all.size(), 1U);
+    ASSERT_EQ(some.size(), 1U);
+    EXPECT_EQ(all[0].point, Vec2(0, 0));
+    EXPECT_EQ(some[0].point, Vec2(0, 0)) << before;
+  }
+}
+
 // A bar that goes round once meets a disc beside its axle with one arm, then with the other.
 TEST(OutlineContact, EachArmOfWhatTurnsInOneFrameIsAMeetingOfItsOwn) {
   const Shape bar = testing::box({-3, -0.05}, {3, 0.05});
