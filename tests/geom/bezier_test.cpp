@@ -327,10 +327,10 @@ TEST(Bezier, OnOneLineItReachesToItsLastPoint) {
   }
 }
 
-TEST(Bezier, LiesAlongItselfFromEitherEnd) {
+TEST(Bezier, OverlapsItselfFromEitherEnd) {
   const Bezier back({18, 12}, {-26, -4}, {26, -4}, {-18, 12});
-  EXPECT_TRUE(lies_along(kLoop, back));
-  EXPECT_FALSE(lies_along(kLoop, kCusp));
+  EXPECT_TRUE(overlap(kLoop, back));
+  EXPECT_FALSE(overlap(kLoop, kCusp));
 }
 
 // A cap of a parabola, closed by its chord: the parity of what a half line crosses.

@@ -88,8 +88,8 @@ TEST(Conic, NormalsAreThoseOfTheCurve) {
 
 TEST(Conic, OfTwoOfTheSamePointsTheWeightTells) {
   const Bezier other({2.5, 10}, {4, 4}, {10, 2.5}, 1.5), back({10, 2.5}, {4, 4}, {2.5, 10}, 1.25);
-  EXPECT_TRUE(lies_along(kHyperbola, back));
-  EXPECT_FALSE(lies_along(kHyperbola, other));
+  EXPECT_TRUE(overlap(kHyperbola, back));
+  EXPECT_FALSE(overlap(kHyperbola, other));
   EXPECT_TRUE(passes_near(kHyperbola, {5, 5.001}, {0.001, 0.001}));
   EXPECT_FALSE(passes_near(kHyperbola, {5, 5.6}, {0.01, 0.01}));
   EXPECT_TRUE(passes_near(Bezier({-1, 0}, {0, 1}, {1, 0}, 8), {0, 8 / 9.0 + 0.05}, {0.06, 0.06}));

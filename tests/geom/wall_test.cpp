@@ -43,6 +43,44 @@ TEST(Walls, LeadAwayToTheSideOnWhichTheirNormalIs) {
                leads_away(disc, Sign::negative, tangent));
 }
 
+// Arcs between the points with whole coordinates of a circle, and its halves: two overlap where they
+// share a stretch from such a point to the next, whichever half-diameters the circle is given by.
+TEST(Walls, OverlapWhereTheyShareMoreThanPoints) {
+  const Vec2 centre(1, 1);
+  const Vec2 places[] = {{5, 0},  {4, 3},   {3, 4},   {0, 5},  {-3, 4}, {-4, 3},
+                         {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
+  constexpr int kCount = 12;
+  struct Known {
+    Arc arc;
+    std::array<bool, kCount> stretches{};
+  };
+  std::vector<Known> all;
+  const auto add = [&](const Arc& arc, int from, int count) {
+    all.push_back({arc});
+    for (int k = 0; k < count; ++k)
+      all.back().stretches[static_cast<std::size_t>((from + k) % kCount)] = true;
+  };
+  const Ellipse round(Circle{centre, 5}), turned(centre, {3, 4}, {-4, 3});
+  for (int i = 0; i < kCount; ++i) {
+    for (int count = 1; count < kCount; ++count)
+      add({count % 2 == 0 ? round : turned, Arc::Extent::between, centre + places[i],
+           centre + places[(i + count) % kCount]},
+          i, count);
+    add({round, Arc::Extent::half, places[(i + 3) % kCount]}, i, 6);
+  }
+  add({turned}, 0, kCount);
+  for (const Known& one : all)
+    for (const Known& other : all) {
+      bool shared = false;
+      for (std::size_t k = 0; k < kCount; ++k) shared |= one.stretches[k] && other.stretches[k];
+      ASSERT_EQ(overlap(one.arc, other.arc), shared);
+    }
+  EXPECT_FALSE(overlap(Arc{round}, Arc{Circle{centre, 4}}));
+  EXPECT_TRUE(overlap(Segment{{0, 0}, {2, 2}}, Segment{{3, 3}, {1, 1}}));
+  EXPECT_FALSE(overlap(Segment{{0, 0}, {1, 1}}, Segment{{1, 1}, {3, 3}}));
+  EXPECT_FALSE(overlap(Segment{{0, 0}, {2, 2}}, Segment{{0, 1}, {2, 3}}));
+}
+
 // Arcs that straight edges close, their ends on the curve, inside it and outside: what the half line to the
 // right crosses of both, once or not, is what the clip of a ray from the point tells; points beside each
 // end, on the level of ends and centre, and on the lines between these.

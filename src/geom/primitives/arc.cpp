@@ -69,6 +69,24 @@ Vec2 touched(const Ray& ray, const Ellipse& curve) {
   });
 }
 
+// Where an arc that is not whole starts and ends, counter-clockwise, as seen from its centre.
+std::array<Pair<Rational>, 2> end_directions(const Arc& arc) {
+  const auto [x, y] = pair_of(kRational, arc.from);
+  if (arc.extent == Arc::Extent::half) return {Pair<Rational>{y, -x}, {-y, x}};
+  const auto centre = pair_of(kRational, arc.curve.centre);
+  return {Pair<Rational>{x, y} - centre, pair_of(kRational, arc.to) - centre};
+}
+
+// Whether a direction is met on the way counter-clockwise from one to another, without these.
+bool is_within(const Pair<Rational>& direction, const Pair<Rational>& from,
+               const Pair<Rational>& to) {
+  const bool past_from = cross(from, direction).sign() == Sign::positive,
+             before_to = cross(direction, to).sign() == Sign::positive;
+  const Sign turn = cross(from, to).sign();
+  return turn == Sign::negative ? past_from || before_to
+                                : past_from && (before_to || turn == Sign::zero);
+}
+
 }  // namespace
 
 Sign curve_side(const Vec2& point, const Ellipse& curve) {
@@ -264,9 +282,15 @@ Vec2 normal_near(const Arc& wall, const Vec2& point) {
   return {normal.x, normal.y};
 }
 
-bool lies_along(const Arc& one, const Arc& other) {
-  const Ellipse &a = one.curve, &b = other.curve;
-  return a.centre == b.centre && a.is_circle() && b.is_circle() && a.u == b.u;
+// Two cones have directions in common where one starts within the other, or both start together.
+bool overlap(const Arc& one, const Arc& other) {
+  if (!is_same_curve(one.curve, other.curve)) return false;
+  if (one.extent == Arc::Extent::whole || other.extent == Arc::Extent::whole) return true;
+  const auto [from, to] = end_directions(one);
+  const auto [other_from, other_to] = end_directions(other);
+  return is_within(from, other_from, other_to) || is_within(other_from, from, to) ||
+         (cross(from, other_from).sign() == Sign::zero &&
+          dot(from, other_from).sign() == Sign::positive);
 }
 
 // The arc, its joints with it, and the lines from its ends to the centre enclose a piece of the cone. A

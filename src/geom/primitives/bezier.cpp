@@ -352,7 +352,7 @@ Vec2 normal_near(const Bezier& wall, const Vec2& point) {
   return {-tangent.y(), tangent.x()};
 }
 
-bool lies_along(const Bezier& one, const Bezier& other) {
+bool overlap(const Bezier& one, const Bezier& other) {
   if (one.degree != other.degree || one.weight != other.weight) return false;
   const std::span points(one.points.data(), static_cast<std::size_t>(one.degree) + 1);
   return std::equal(points.begin(), points.end(), other.points.begin()) ||

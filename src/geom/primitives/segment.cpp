@@ -80,6 +80,15 @@ bool lies_along(const Segment& one, const Segment& other) {
   return side_of(other, one.a) == Sign::zero && side_of(other, one.b) == Sign::zero;
 }
 
+bool overlap(const Segment& one, const Segment& other) {
+  if (!lies_along(one, other)) return false;
+  const Vec2 size = (one.b - one.a).cwiseAbs();
+  const int axis = size.x() >= size.y() ? 0 : 1;
+  const auto [from, to] = std::minmax(one.a[axis], one.b[axis]);
+  const auto [other_from, other_to] = std::minmax(other.a[axis], other.b[axis]);
+  return std::max(from, other_from) < std::min(to, other_to);
+}
+
 // Each edge with its lower end and without its upper.
 bool crosses_to_right(const Segment& wall, const Vec2& point) {
   if ((wall.a.y() > point.y()) == (wall.b.y() > point.y())) return false;

@@ -145,15 +145,17 @@ inline Vec2 normal_near(const Segment& wall, const Vec2&) {
 Vec2 normal_near(const Arc& wall, const Vec2& point);
 Vec2 normal_near(const Bezier& wall, const Vec2& point);
 
-/// Whether one wall lies on the line or curve of the other. Exact for segments and circles; Bezier
-/// curves are compared by their control points.
+/// Whether one segment lies on the line of the other. Exact.
+bool lies_along(const Segment& one, const Segment& other);
+/// Whether two walls have more than points in common. Exact for segments and arcs; Bezier curves are
+/// compared by their control points.
 template <class One, class Other>
-constexpr bool lies_along(const One&, const Other&) {
+constexpr bool overlap(const One&, const Other&) {
   return false;
 }
-bool lies_along(const Segment& one, const Segment& other);
-bool lies_along(const Arc& one, const Arc& other);
-bool lies_along(const Bezier& one, const Bezier& other);
+bool overlap(const Segment& one, const Segment& other);
+bool overlap(const Arc& one, const Arc& other);
+bool overlap(const Bezier& one, const Bezier& other);
 
 /// The circle of which a wall is a part or the whole; nullopt where there is none.
 inline std::optional<Circle> circle_along(const Arc& wall) {

@@ -181,37 +181,30 @@ Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
 
 namespace {
 
-bool lie_on_one_another(const Segment& a, const Segment& b) {
-  if (!lies_along(a, b)) return false;
-  const Vec2 size = (a.b - a.a).cwiseAbs();
-  const int axis = size.x() >= size.y() ? 0 : 1;
-  const auto [from, to] = std::minmax(a.a[axis], a.b[axis]);
-  const auto [other_from, other_to] = std::minmax(b.a[axis], b.b[axis]);
-  return std::max(from, other_from) < std::min(to, other_to);
-}
-
 // Walls that lie on one another count in the perimeter, and no orbit comes between them but into a
-// slit of the chamber itself. Of curves only those of pillars that overlap are found.
+// slit of the chamber itself.
 Result<void> expect_no_hidden_walls(const Scene& scene) {
   const World world = build_world(scene, at(Timeline(scene, scene.seed, 1), 1));
-  const std::vector<std::uint32_t>& walls = world.surfaces.segment_numbers;
+  const Surfaces& walls = world.surfaces;
   std::vector<Bounds> boxes;
   std::vector<bool> of_chamber;
-  for (const std::uint32_t wall : walls) {
-    boxes.push_back(bounds_of(world.surfaces.segment(wall)));
+  for (std::uint32_t wall = 0; wall < walls.size(); ++wall) {
+    boxes.push_back(walls.visit(wall, [](const auto& one) { return bounds_of(one); }));
     of_chamber.push_back(world.owner(wall).kind == SurfaceOwner::Kind::chamber);
   }
   std::pair<std::uint32_t, std::uint32_t> first{kNoSurface, kNoSurface};
   const auto look = [&](std::uint32_t a, std::uint32_t b) {
-    const std::pair found{walls[a], walls[b]};
-    if (found < first && lie_on_one_another(world.surfaces.segment(found.first),
-                                            world.surfaces.segment(found.second)))
-      first = found;
+    const auto is_hidden = [&](const auto& one) {
+      return walls.visit(b, [&](const auto& other) { return overlap(one, other); });
+    };
+    if (std::pair(a, b) < first && walls.visit(a, is_hidden)) first = {a, b};
     return true;
   };
   each_overlap(boxes, of_chamber, look);
   if (first.first == kNoSurface) return {};
-  const SurfaceOwner &one = world.owner(first.first), &pillar = world.owner(first.second);
+  const bool is_second = world.owner(first.second).kind == SurfaceOwner::Kind::pillar;
+  const SurfaceOwner &one = world.owner(is_second ? first.first : first.second),
+                     &pillar = world.owner(is_second ? first.second : first.first);
   const bool alone = one.kind == pillar.kind && one.pillar == pillar.pillar;
   return fail(
       scene.chambers[pillar.index].pillars[pillar.pillar].where,

@@ -116,16 +116,26 @@ TEST(HonestAnswers, WallsThatLieOnOneAnotherAreRefused) {
   ASSERT_FALSE(ring.has_value());
   EXPECT_TRUE(has(format(ring.error()), "a wall of pillar 1 lies on one of its own"))
       << format(ring.error());
+  const std::string capsule = "capsule = { from = [-1, 0], to = [1, 0], radius = 1 }",
+                    round = "circle = { radius = 1.5 }",
+                    flush = "{ shape = { sector = { radius = 1.5, from = 0, to = 50 } } }";
+  for (const Scene& scene :
+       {room(capsule, "{ shape = { circle = { centre = [1, 0], radius = 1 } } }"),
+        room(round, flush)}) {
+    const auto refused = answer(scene);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_TRUE(has(format(refused.error()), "no orbit comes between them"))
+        << format(refused.error());
+  }
   const auto touching = answer(room(box, on_tip));
   ASSERT_TRUE(touching.has_value()) << format(touching.error());
   EXPECT_TRUE(agrees(measure(*touching, "mean_free_path")));
   EXPECT_EQ(measure(*touching, "orbits_into_corners").value, 0);
 }
 
-// Of curves that is seen by what orbits come to: a disc fills an end of the room.
+// The seam of a ring that is the chamber itself is two walls on one another: what comes to it ends.
 TEST(HonestAnswers, MeanFreePathSaysWhereOrbitsEndInCorners) {
-  const Scene scene = room("capsule = { from = [-1, 0], to = [1, 0], radius = 1 }",
-                           "{ shape = { circle = { centre = [1, 0], radius = 1 } } }");
+  const Scene scene = room("sector = { radius = 2, inner = 1, from = 0, to = 360 }");
   const Measure path =
       measure(run("mean-free-path", {.scene = scene, .count = 20'000}), "mean_free_path");
   EXPECT_FALSE(path.standard_error);
