@@ -216,17 +216,32 @@ std::vector<RealRoot> RealRoot::all(const Polynomial& p, const Rational& low,
   return found;
 }
 
-void RealRoot::halve() const {
-  const Rational middle = (low_ + high_) / 2;
-  const Sign sign = value_at(p_, middle).sign();
-  if (sign == Sign::zero)
-    low_ = high_ = middle;
-  else
-    (sign == value_at(p_, low_).sign() ? low_ : high_) = middle;
+// Of 2^bits_ equal parts the one that the chord crosses, or all before or behind it. Where it holds the
+// root, the next are of twice as many bits, else of half as many: at last of one, which halves.
+void RealRoot::refine() const {
+  constexpr int kMostBits = 512;
+  const Rational size = high_ - low_, parts = std::ldexp(1.0, bits_);
+  const Rational at_low = value_at(p_, low_), at_high = value_at(p_, high_);
+  const Rational crossed = (at_low / (at_low - at_high) * parts).floor();
+  const Rational from = low_ + size * crossed / parts, to = low_ + size * (crossed + 1) / parts;
+  const auto sign_at = [&](const Rational& x) { return value_at(p_, x).sign(); };
+  const Sign before = at_low.sign(), at_from = sign_at(from), at_to = sign_at(to);
+  if (at_from == Sign::zero || at_to == Sign::zero) {
+    low_ = high_ = at_from == Sign::zero ? from : to;
+    return;
+  }
+  const bool is_behind = at_to == before, is_ahead = at_from != before;
+  (is_behind ? low_ : high_) = is_ahead ? from : to;
+  if (is_behind || is_ahead) {
+    bits_ = std::max(1, bits_ / 2);
+    return;
+  }
+  low_ = from;
+  bits_ = std::min(kMostBits, 2 * bits_);
 }
 
 Sign RealRoot::sign_of(const Polynomial& q) const {
-  for (bool asked = false;; halve()) {
+  for (bool asked = false;; refine()) {
     if (low_ == high_) return value_at(q, low_).sign();
     const Interval range = range_of(q, {low_, high_});
     const Sign sign = range.low.sign();
@@ -246,7 +261,7 @@ RealRoot RealRoot::value_of(const Polynomial& q, Polynomial over) const {
   }
   const Polynomial values = without_double_roots(polynomial_of_values(p_, q));
   const Chain chain(values);
-  for (;; halve()) {
+  for (;; refine()) {
     if (low_ == high_) return by_value();
     const auto [low, high] = range_of(q, {low_, high_});
     const int at_low = value_at(values, low).sign() == Sign::zero ? 1 : 0;
@@ -257,7 +272,7 @@ RealRoot RealRoot::value_of(const Polynomial& q, Polynomial over) const {
 
 double RealRoot::nearest() const {
   if (sign() == Sign::zero) return 0;
-  for (;; halve()) {
+  for (;; refine()) {
     const double low = low_.nearest(), high = high_.nearest();
     if (low == high) return low + 0.0;
     if (std::nextafter(low, high) != high || std::isinf(low) || std::isinf(high)) continue;
@@ -271,7 +286,7 @@ std::strong_ordering compare(const RealRoot& a, const RealRoot& b) {
   const Rational low = std::max(a.low_, b.low_), high = std::min(a.high_, b.high_);
   if (low <= high && has_root_in(common_divisor(a.p_, b.p_), low, high))
     return std::strong_ordering::equal;
-  for (;; a.halve(), b.halve()) {
+  for (;; a.refine(), b.refine()) {
     if (a.high_ < b.low_) return std::strong_ordering::less;
     if (b.high_ < a.low_) return std::strong_ordering::greater;
   }
