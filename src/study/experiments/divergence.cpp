@@ -75,10 +75,10 @@ class Study {
     for (std::size_t i = 0; i < trio.exact.bounces.size(); ++i) {
       const auto& exact = trio.exact.bounces[i];
       const bool there = i < trio.plain.bounces.size();
-      right = right && there && trio.plain.bounces[i].surface == exact.surface;
-      const double off = there ? (trio.plain.bounces[i].point - exact.point).norm() : size_;
-      near = near && i < both && trio.beside.bounces[i].surface == exact.surface;
-      const double apart = i < both ? (trio.beside.bounces[i].point - exact.point).norm() : size_;
+      right = right && there && is_same_wall(trio.plain.bounces[i], exact);
+      const double off = there ? distance(trio.plain.bounces[i], exact) : size_;
+      near = near && i < both && is_same_wall(trio.beside.bounces[i], exact);
+      const double apart = i < both ? distance(trio.beside.bounces[i], exact) : size_;
       near = near && apart < kHorizonShare * size_;
       if (near && apart > 0) fit.add(static_cast<double>(i + 1), portable::log(apart));
       if (right) same = i + 1;
@@ -140,6 +140,19 @@ class Study {
   }
 
  private:
+  template <class One>
+  static bool is_same_wall(const One& one, const CertifiedOrbit::Bounce& other) {
+    return one.surface == other.surface && one.cell == other.cell;
+  }
+  // In the plane, whichever cells they are in.
+  template <class One>
+  double distance(const One& one, const CertifiedOrbit::Bounce& other) const {
+    const auto& [a, b] = room_.orbits().periodic().lattice();
+    return (one.point - other.point + static_cast<double>(one.cell.a - other.cell.a) * a +
+            static_cast<double>(one.cell.b - other.cell.b) * b)
+        .norm();
+  }
+
   const ExperimentContext& context_;
   const Room& room_;
   double size_;

@@ -15,11 +15,12 @@ constexpr std::uint64_t kAuditedBounces = 60;
 // What a certified orbit of the audit may take: more tells little, and could take minutes.
 constexpr unsigned kAuditedBits = 2048;
 constexpr std::uint64_t kAuditedWork = std::uint64_t{1} << 22;
-// Of the room: an orbit as near as that to the certified one meets the same wall next, unless it
-// passes an end or a tangent as near.
+// Of the room, and less where the next flight is longer than that: an orbit as near to the certified
+// one meets the same wall next, unless it passes an end or a tangent as near.
 constexpr double kSamePlace = 0x1p-32;
 // Of a first flight, in units of 2^-53 of the room, times the cosine of the incidence: the start of
-// the flight on its wall, the point met and the wall's own numbers are some ulps off each.
+// the flight on its wall, the point met and the wall's own numbers are some ulps off each. Of a flight
+// through many cells each rounds its length once more.
 constexpr double kRoundingOfFlight = 64;
 
 void follow_certified(const Room& room, const OrbitStart& start, std::size_t number,
@@ -66,14 +67,17 @@ Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitSt
   found.fast_right = horizon(room.walls(), *truth, fast);
   found.exact_right = horizon(room.walls(), *truth, exact);
   const std::uint64_t right = found.fast_right;
-  found.wrong = right < found.proven &&
-                (right == 0 || (fast[right - 1].point - truth->bounces[right - 1].point).norm() <
-                                   kSamePlace * size);
+  const double speed = std::sqrt(start.ray.direction.squaredNorm());
+  if (right < found.proven) {
+    const double flights = std::max(1.0, truth->bounces[right].t * speed / size);
+    found.wrong = right == 0 || (fast[right - 1].point - truth->bounces[right - 1].point).norm() <
+                                    kSamePlace * size / flights;
+  }
   if (right > 0) {
     const CertifiedOrbit::Bounce& first = truth->bounces.front();
-    const double t = first.t * std::sqrt(start.ray.direction.squaredNorm());
-    found.first =
-        std::fabs(fast.front().t - t) * std::fabs(first.in.dot(first.normal)) / (0x1p-53 * size);
+    const double t = first.t * speed;
+    found.first = std::fabs(fast.front().t - t) * std::fabs(first.in.dot(first.normal)) /
+                  (0x1p-53 * size * std::max(1.0, (t / size) * (t / size)));
   }
   return found;
 }
