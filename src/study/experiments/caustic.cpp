@@ -19,8 +19,8 @@ constexpr std::size_t kNumbers = 6;  // of a path, before its cells
 constexpr int kWide = 640;           // cells of the picture's longer side, where all paths together
 constexpr std::size_t kMostCells = std::size_t{1}
                                    << 23;  // have no more than that; else as the film
-// What of the distance of a line that keeps it one bounce may round away, in extents of the room:
-// its point is 2 units in the last place off, its direction as many.
+// What of the distance of a line that keeps it one bounce may round away, in parts of the room's
+// extent and of its farthest coordinate: its point is 2 units in the last place off, its direction as many.
 constexpr double kRoundingByBounce = 0x1p-50;
 
 // The foci of an ellipse: for conjugate half-diameters u, v the roots of u^2 + v^2 as complex
@@ -29,12 +29,15 @@ struct Foci {
   Vec2 one, other;
 };
 Foci foci_of(const Ellipse& curve) {
-  const Vec2 &u = curve.u, &v = curve.v;
+  // In units of a power of two, so that fourth powers stay among the doubles.
+  const double longest = std::max(curve.u.cwiseAbs().maxCoeff(), curve.v.cwiseAbs().maxCoeff()),
+               unit = std::ldexp(1.0, std::ilogb(longest));
+  const Vec2 u = curve.u / unit, v = curve.v / unit;
   const double x = u.x() * u.x() - u.y() * u.y() + v.x() * v.x() - v.y() * v.y();
   const double y = 2 * (u.x() * u.y() + v.x() * v.y());
   const double size = std::sqrt(std::sqrt(x * x + y * y));
   const double angle = 0.5 * portable::atan2(y, x);
-  const Vec2 reach = size * Vec2(portable::cos(angle), portable::sin(angle));
+  const Vec2 reach = unit * size * Vec2(portable::cos(angle), portable::sin(angle));
   return {curve.centre + reach, curve.centre - reach};
 }
 
@@ -54,6 +57,7 @@ class Lines : public OrbitSink {
   void cross(std::size_t, const Vec2& from, const Vec2& to, const CellIndex&) override {
     density_.add(last_, from);
     last_ = to;
+    see(direction_);
   }
   void end(std::size_t, const OrbitStop& stop) override {
     if (stop.end == OrbitEnd::absorbed || stop.end == OrbitEnd::corner)
@@ -67,6 +71,7 @@ class Lines : public OrbitSink {
 
  private:
   void see(const Vec2& direction) {
+    direction_ = direction;
     const double size = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
     const auto distance_to = [&](const Vec2& point) {
       return flatray::cross(Vec2(last_ - point), direction) / size;
@@ -85,7 +90,7 @@ class Lines : public OrbitSink {
   LineDensity density_;
   Vec2 middle_;
   Foci foci_;
-  Vec2 last_;
+  Vec2 last_, direction_;
   double first_ = 0, nearest_ = kInfinity, farthest_ = 0;
   double first_product_ = 0, least_product_ = 0, most_product_ = 0;
 };
@@ -122,9 +127,12 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
       elliptic ? room.walls().arcs.front().curve.centre : Vec2(room.state().window.centre());
   const Foci foci =
       elliptic && !round ? foci_of(room.walls().arcs.front().curve) : Foci{middle, middle};
-  const double extent = bounds_of(room.walls()).size().maxCoeff();
+  const Bounds box = bounds_of(room.walls());
+  const double extent = box.size().maxCoeff(),
+               farthest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
-  const double rounding = kRoundingByBounce * static_cast<double>(bounces) * extent;
+  const double rounding =
+      kRoundingByBounce * static_cast<double>(bounces) * std::max(extent, farthest);
   LineDensity all = empty_density(room, watched->starts.size());
   FLATRAY_TRY(found, run_blocks(context, watched->starts.size(), [&](std::size_t i) {
                 Lines lines(all, watched->starts[i], middle, foci);

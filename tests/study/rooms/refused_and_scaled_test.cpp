@@ -97,5 +97,35 @@ TEST(EveryChamberExperiment, MeasuresTheSameAtAnotherScale) {
   }
 }
 
+// Far away coordinates round by more than the room's extent tells, and fourth powers of huge and tiny
+// ones are beyond the doubles.
+TEST(Caustic, OfEllipsesKeepsTheirFociWhereverAndHoweverLargeTheyAre) {
+  for (const auto& [scale, centre] :
+       {std::pair(1.0, 1e3), {1.0, 1e6}, {1.0, 1e10}, {1e-100, 0.0}, {0x1p260, 0.0}}) {
+    const Scene scene = scene_of(
+        fmt::format("film = {{ size = [8, 8] }}\n[[chamber]]\nshape = {{ ellipse = {{ radii = [{}, "
+                    "{}], centre = "
+                    "[{}, 0] }} }}\n[[ray]]\nname = \"r\"\nat = [{}, {}]\ndirection = [1, 0.7]\n",
+                    2 * scale, scale, centre, centre, 0.3 * scale));
+    const ExperimentResult result = run("caustic", {scene});
+    EXPECT_TRUE(result.holds) << scale << ' ' << centre << '\n' << result.summary;
+    EXPECT_NEAR(measure(result, "r: largest").value / scale / scale, -0.926174, 1e-3);
+  }
+  const Scene disc = scene_of(
+      "film = { size = [8, 8] }\n[[chamber]]\nshape = { circle = { centre = [1e10, 0], radius = 1 "
+      "} "
+      "}\n[[ray]]\nname = \"r\"\nat = [1e10, 0.3]\ndirection = [1, 0.7]\n");
+  EXPECT_TRUE(run("caustic", {disc}).holds);
+}
+
+// From (0.5, 0.9) to (1, 0.95), and on from (0, 0.95) to (0.5, 1), which passes the middle farther off.
+TEST(Caustic, OfATorusSeesLinesThatComeInByItsEdges) {
+  Scene scene = torus("0.05");
+  const Scene rays = scene_of("[[ray]]\nname = \"r\"\nat = [0.5, 0.9]\ndirection = [1, 0.1]\n");
+  scene.rays = rays.rays;
+  const ExperimentResult result = run("caustic", {.scene = scene, .bounces = 1});
+  EXPECT_GE(measure(result, "r: farthest line").value, 0.5 / std::sqrt(1.01) - 1e-9);
+}
+
 }  // namespace
 }  // namespace flatray
