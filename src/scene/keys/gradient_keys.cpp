@@ -51,7 +51,7 @@ constexpr NumberRule kRadiusRule{[](double radius) { return radius > 0 && radius
                                  "is not above 0",
                                  "the last colour lies on a circle of this radius"};
 
-constexpr const char* kStopsTake = R"(["#rrggbb", ...] or [[at, "#rrggbb"], ...])";
+constexpr const char* kStopsTake = R"(["#rrggbb" or [at, "#rrggbb"], ...])";
 
 constexpr Key<Gradient> kLinearKeys[] = {
     {{"from", "[x, y]", kRequired}, &set<&Gradient::from>},

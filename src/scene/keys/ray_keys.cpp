@@ -178,6 +178,14 @@ void read_rays(Builder& builder, const Field& field, Scene& scene) {
     builder.in.add(refused_mirrors(scene));
 }
 
+// Only straight edges are cast as rays.
+bool has_straight_lines(const Shape& shape) {
+  return !shape.vertices.empty() || !shape.segments.empty() ||
+         std::ranges::any_of(shape.arc_paths, [](const ArcPath& path) {
+           return path.arcs.size() > 1 || (path.closed && !path.is_ellipse());
+         });
+}
+
 void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
   each_table(builder, field, [&](const Value& table) {
     EdgeRays rays{0,     0,           {1.5, true, kGrey},
@@ -185,6 +193,12 @@ void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
                   0,     table.where, draw_order(builder, table.where)};
     read_keys(builder, table, "edge_rays", kEdgeRayKeys, rays);
     scene.edge_rays.push_back(rays);
+    if (!builder.in.problems.empty()) return;
+    const Entity& from = scene.entities[rays.from];
+    if (!from.markov && !has_straight_lines(scene.shapes[from.shape]))
+      builder.in.warning(table.find("from")->where,
+                         "has no straight edges: these rays draw nothing",
+                         "name an entity that has, as a polygon or lines");
   });
 }
 

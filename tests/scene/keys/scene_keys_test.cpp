@@ -318,6 +318,25 @@ TEST(Scenes, EdgeRaysOfAnEntityWithoutAShapeTellTheShapesMistakeAlone) {
 )");
 }
 
+TEST(Scenes, EdgeRaysOfAnEntityWithoutStraightEdgesAreWarnedOf) {
+  const auto warnings = [](const std::string& shape) {
+    return loaded("flatray = 1\n[[entity]]\nname = 'a'\nshape = { " + shape +
+                  " }\n[[entity]]\nname = 'b'\nshape = { circle = { radius = 1 } }\n"
+                  "[[edge_rays]]\nfrom = 'a'\nagainst = 'b'\n")
+        .warnings;
+  };
+  const Diagnostics told = warnings("circle = { radius = 1 }");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].message, "has no straight edges: these rays draw nothing");
+  EXPECT_EQ(warnings("ellipse = { radii = [2, 1] }").size(), 1U);
+  EXPECT_EQ(warnings("bezier = { points = [[0, 0], [1, 1], [2, 1], [3, 0]] }").size(), 1U);
+  for (const char* shape :
+       {"box = { min = [0, 0], max = [1, 1] }", "segment = { from = [0, 0], to = [1, 0] }",
+        "capsule = { from = [0, 0], to = [1, 0], radius = 1 }",
+        "sector = { radius = 1, from = 0, to = 90 }"})
+    EXPECT_TRUE(warnings(shape).empty()) << shape;
+}
+
 TEST(Film, ShowsNoWorldOfWhichAUnitHasNoNumberOfPixels) {
   const auto film = [](const std::string& side) {
     return "flatray = 1\nfilm = { size = [8, 8], world = [[0, 0], [" + side + ", " + side +
