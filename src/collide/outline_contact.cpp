@@ -61,12 +61,15 @@ struct MovingParts {
 
 void count_cuts(const MovingParts& pieces, const MovingParts& others, Range within,
                 std::vector<MeetingPart>& met) {
+  if (std::ranges::all_of(pieces.parts, [](const ShapePart& part) { return part.cuts.empty(); }))
+    return;
+  std::vector<MovingBody> thin;
+  for (const ShapePart& part : others.parts)
+    if (!has_area(part)) thin.push_back(others.body(part));
   for (const auto& [ring, radius, curve, cuts] : pieces.parts)
     for (const std::uint32_t k : cuts)
-      for (const ShapePart& part : others.parts)
-        if (!has_area(part))
-          count_cut({ring[k], ring[(k + 1) % ring.size()]}, pieces.velocity, others.body(part),
-                    within, met);
+      for (const MovingBody& body : thin)
+        count_cut({ring[k], ring[(k + 1) % ring.size()]}, pieces.velocity, body, within, met);
 }
 
 std::vector<Contact> ask(const BodySet& bodies, std::span<const MovingPair> pairs, Range within,

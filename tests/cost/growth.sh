@@ -26,6 +26,7 @@ render 100 near_faces
 render 120 edge_rays
 collide 400 zigzags
 meet 400 zigzags
+meet 200 combs
 gas 100 discs
 render 200 circles
 orbit 200 rings
@@ -77,6 +78,11 @@ scene() {
           comb(k * 1.3, k * 3.7); end_outline()
         }
         print "[[edge_rays]]\nfrom = \"a\"\nagainst = \"b\""
+      } else if (name == "combs") {  # one beside the other, of which their last teeth meet
+        for (k = 0; k < 2; k++) {
+          outline(); comb(k * (n + 1), 0); end_outline()
+          printf "velocity = [%d, 0]\n", -k
+        }
       } else if (name == "zigzags") {  # beside each other, and never touching
         for (k = 0; k < 2; k++) {
           outline()
