@@ -1,6 +1,7 @@
 #include "transport/light/forward.h"
 
 #include "base/check.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/philox.h"
 #include "transport/light/emission.h"
@@ -131,14 +132,14 @@ class Forward {
             count * random_number(Stream::alternative, block, rays_[i].number, bounces));
     });
     const std::vector<std::uint32_t> order = ascending_order(places_);
-    std::vector<LightRay> sorted(rays_.size());
+    next_.resize(rays_.size());
     in_parts(rays_.size(), [&](std::size_t begin, std::size_t end, LightCounts&) {
       for (std::size_t k = begin; k < end; ++k) {
-        sorted[k] = rays_[order[k]];
+        next_[k] = rays_[order[k]];
         world_of_[k] = static_cast<std::uint32_t>(places_[order[k]]);
       }
     });
-    rays_ = std::move(sorted);
+    rays_.swap(next_);
   }
 
   // Takes every ray to its next wall, or out of the picture.
@@ -188,9 +189,8 @@ class Forward {
     const std::array<double, 3>& absorption = walls_.bodies().absorption_in(ray.media);
     if (!arrivals_[i].hit || absorption == std::array<double, 3>{0, 0, 0}) return;
     const Vec2 to = arrivals_[i].point, way = to - ray.ray.origin;
-    const double length = arrivals_[i].hit.t;
+    const double length = arrivals_[i].hit.t, short_enough = 0.125 / place_.pixels_per_unit;
     const LightWeight first = ray.weight;
-    const double short_enough = 0.125 / place_.pixels_per_unit;
     Vec2 at = ray.ray.origin;
     double begin = 0;
     while (begin < length) {
@@ -382,10 +382,10 @@ class Forward {
   TracedLight light_;
   const Scramble* now_ = nullptr;  // the one that is traced, and its film
   LightFilm* film_ = nullptr;
-  std::vector<LightRay> rays_, next_;  // under way, and after a bounce
-  std::vector<LightHit> arrivals_;
-  std::vector<LightLine> lines_;
-  std::vector<WallPlace> places_;
+  LargeVector<LightRay> rays_, next_;  // under way, and after a bounce
+  LargeVector<LightHit> arrivals_;
+  LargeVector<LightLine> lines_;
+  LargeVector<WallPlace> places_;
   std::vector<std::uint32_t> world_of_;  // by ray
 };
 
