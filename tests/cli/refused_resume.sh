@@ -30,16 +30,16 @@ velocity = [-1, 0]
 mass = "fixed"
 END
 # Of folders not the time: a run claims the one it is to write into, and lets it go.
-tree() { (cd out && find . \( -type d -printf '%p %i\n' -o -printf '%p %y %i %s %l %T@\n' \) | sort && find . -type f -exec sha256sum {} + | sort); }
-begin() {  # a new folder of films and pictures, each list with a torn end, and what a killed run left
-  rm -rf out two
-  "$flatray" render lamp.toml --rays 1 -o 'out/####.film' --quiet
-  "$flatray" render box.toml -o 'out/f_####.png' --quiet
-  printf '{"frame":' >> out/manifest.jsonl
-  printf '{"frame":' >> out/timings.jsonl
-  echo part > out/.f_0001.png.0123456789abcdef.part
+tree() {
+  (cd out && find . -type d -printf '%p %i\n' -o -printf '%p %y %i %s %l %T@\n' -type f -exec sha256sum {} + | sort)
 }
-films="render lamp.toml --rays 1000000 -o out/####.film --resume"
+# A folder of films and pictures, each list with a torn end, and what a killed run left; `begin` makes a new copy of it.
+"$flatray" render lamp.toml --rays 1 -o 'begun/####.film' --quiet
+"$flatray" render box.toml -o 'begun/f_####.png' --quiet
+printf '{"frame":' | tee -a begun/manifest.jsonl >> begun/timings.jsonl
+echo part > begun/.f_0001.png.0123456789abcdef.part
+begin() { rm -rf out two && cp -a begun out; }
+films="render lamp.toml --rays 300000 -o out/####.film --resume"
 pictures="render box.toml --seed 1 -o out/f_####.png --resume"
 refused() {  # refused CODE CHANGE TEXT ARGS...: after the change, a shell's word
   local code=$1 change=$2 text=$3 before
