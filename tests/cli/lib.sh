@@ -30,9 +30,11 @@ run() {
   sed 's/^/    /' "$work/err.txt" | head -5
 }
 
-# says out|err TEXT: the last run wrote the text.
+# says out|err TEXT: the last run wrote the text. A shell that reads it itself is ten times as fast as grep, which knows NUL.
 says() {
-  grep -qF -e "$2" "$work/$1.txt" && return
+  local text
+  IFS= read -rd '' text < "$work/$1.txt"
+  [[ $text == *"$2"* ]] || grep -qF -e "$2" "$work/$1.txt" && return
   fail "std$1 lacks: $2"
   sed 's/^/    /' "$work/$1.txt" | head -8
 }
