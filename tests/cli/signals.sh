@@ -44,14 +44,20 @@ commands=(
   'experiment reflections SCENES/chamber/hall.toml -n 1000000000 -o @'
 )
 
-# listens PID: whether the process catches SIGTERM by now, or is over.
-listens() { ! [[ $(cat "/proc/$1/status" 2> /dev/null) =~ SigCgt:[[:space:]]*([0-9a-f]+) ]] || ((0x${BASH_REMATCH[1]} & 0x4000)); }
+# listens PID: whether the process is flatray by now, not yet the shell, and catches SIGTERM; or is over.
+listens() {
+  [[ -e /proc/$1 ]] || return 0
+  [[ $(< "/proc/$1/status") =~ ^Name:[[:space:]]+"${flatray##*/}"[[:space:]].*SigCgt:[[:space:]]*([0-9a-f]+) ]] &&
+    ((0x${BASH_REMATCH[1]} & 0x4000))
+} 2> /dev/null
 
-# expect INDEX SIGNAL CODE WORD: a process that runs gets the signal, and ends as it must.
-expect() {
-  local command="${commands[$1]}" err=run$1.err start=$SECONDS code
-  kill -0 "${pids[$1]}" 2> /dev/null || fail "$command: was over by itself: $(head -c 300 "$err")"
+signal() {  # INDEX SIGNAL: a process that runs gets the signal
+  kill -0 "${pids[$1]}" 2> /dev/null || fail "${commands[$1]}: was over by itself: $(head -c 300 "run$1.err")"
   kill "-$2" "${pids[$1]}"
+}
+# expect INDEX SIGNAL CODE WORD: it ends as it must.
+expect() {
+  local command="${commands[$1]}" err=run$1.err code
   wait "${pids[$1]}"
   code=$?
   ((code == $3)) || fail "$command: SIG$2 gave exit code $code"
@@ -80,7 +86,12 @@ for ((first = 0; first < ${#commands[@]}; first += at_once)); do
       sleep 0.02
     done
   done
-  sleep 0.2
+  sleep 0.1
+  # All of a wave at once: the one that waits for its turn works on.
+  start=$SECONDS
+  for i in "${wave[@]}"; do
+    if ((i % 2)); then signal "$i" TERM; else signal "$i" INT; fi
+  done
   for i in "${wave[@]}"; do
     if ((i % 2)); then expect "$i" TERM 143 terminated; else expect "$i" INT 130 interrupted; fi
   done
