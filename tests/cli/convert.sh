@@ -107,8 +107,8 @@ says err 'vn ignored'  # what the import cannot honour
 run 0 convert far/away/outline.toml near.toml
 run 0 convert far/away/outline.obj -
 says out 'file = "far/away/outline.obj"'
-run 0 render near.toml -o near.png
-run 0 render far/away/outline.toml -o far.png
+run 0 render near.toml -D light.rays=1000 -o near.png
+run 0 render far/away/outline.toml -D light.rays=1000 -o far.png
 cmp -s near.png far.png || fail "an outline from another folder draws another picture"
 
 # Standard input; -D; comments go.
