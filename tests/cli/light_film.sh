@@ -42,8 +42,8 @@ run 0 merge part.film 0.film -o merged.film --quiet
 as_one all.film merged.film "shards, two first"
 # Light that fades is many lines a leg.
 sed 's/^material.*/material = { glass = { absorption = [1, 2, 3] } }/' lamp.toml > tinted.toml
-run 0 render tinted.toml --rays 524288 --size 8x6 -o tinted.film -j 2 --quiet
-for i in 0 1; do run 0 render tinted.toml --rays 524288 --size 8x6 --ray-shard $i/2 -o t$i.film --quiet; done
+run 0 render tinted.toml --rays 524288 -o tinted.film -j 2 --quiet
+for i in 0 1; do run 0 render tinted.toml --rays 524288 --ray-shard $i/2 -o t$i.film --quiet; done
 run 0 merge t1.film t0.film -o faded.film --quiet
 as_one tinted.film faded.film "shards of what fades"
 run 0 render lamp.toml --rays 786432 --ray-shard 4/5 -o empty.film --quiet
