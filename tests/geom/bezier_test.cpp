@@ -60,6 +60,17 @@ TEST(RealRoot, IsTheSquareRootOfTwo) {
   EXPECT_EQ(compare(both[0], both[1]), std::strong_ordering::less);
 }
 
+// Of x^3 = 2 and x^3 = 2 + 2^-17184: to halve the way between them once a bit would take minutes.
+TEST(RealRoot, IsToldFromOneThatIsNearlyTheSame) {
+  Rational tiny = 0x1p-1074;
+  for (int i = 0; i < 4; ++i) tiny *= tiny;
+  const RealRoot one = RealRoot::all({-2, 0, 0, 1}, 1, 2)[0];
+  EXPECT_EQ(compare(one, RealRoot::all({-2 - tiny, 0, 0, 1}, 1, 2)[0]), std::strong_ordering::less);
+  EXPECT_EQ(compare(one, RealRoot::all({tiny - 2, 0, 0, 1}, 1, 2)[0]),
+            std::strong_ordering::greater);
+  EXPECT_EQ(one.sign_of({-2 - tiny, 0, 0, 1}), Sign::negative);
+}
+
 TEST(RealRoot, TellsEachRootOnceWhateverItsMultiplicity) {
   // x (x - 1)^2 (x^2 - 3) has the roots 0, 1, sqrt(3) in [0, 2].
   const std::vector<RealRoot> all = RealRoot::all({0, -3, 6, -2, -2, 1}, 0, 2);
