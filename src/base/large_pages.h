@@ -5,7 +5,8 @@
 
 namespace flatray {
 
-/// `bytes` of memory: from 4 MB on in pages of 2 MB, where the machine has such, which are had sooner.
+/// `bytes` of memory: from 4 MB on in pages of 2 MB where the machine has such, of which it hands out as
+/// much in less time.
 /// Throws  std::bad_alloc.
 void* allocate_large(std::size_t bytes);
 /// Gives back what allocate_large(bytes) gave.
@@ -13,6 +14,7 @@ void free_large(void* memory, std::size_t bytes) noexcept;
 
 template <class T>
 struct LargePages {
+  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
   using value_type = T;
   LargePages() = default;
   template <class Other>

@@ -220,6 +220,7 @@ std::vector<RealRoot> RealRoot::all(const Polynomial& p, const Rational& low,
 // root, the next are of twice as many bits, else of half as many: at last of one, which halves.
 void RealRoot::refine() const {
   constexpr int kMostBits = 512;
+  if (low_ == high_) return;
   const Rational size = high_ - low_, parts = std::ldexp(1.0, bits_);
   const Rational at_low = value_at(p_, low_), at_high = value_at(p_, high_);
   const Rational crossed = (at_low / (at_low - at_high) * parts).floor();

@@ -61,9 +61,9 @@ Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
 /// Of the largest extent of a room: as far as an orbit of doubles may be off before it is noise.
 inline constexpr double kHorizonShare = 0.01;
 
-/// Bounces from the first on that the orbit of the same start in doubles has on the same walls and
-/// near the same points. Where they are fewer than those of `exact`, what follows is noise; of more
-/// bounces than these nothing is said.
+/// Bounces from the first on that the orbit of the same start in doubles has on the same walls, in the
+/// same cells of periodic walls, near the same points. Where they are fewer than those of `exact`, what
+/// follows is noise; of more bounces than these nothing is said.
 std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact,
                       std::span<const Bounce> plain);
 

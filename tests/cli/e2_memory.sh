@@ -10,7 +10,7 @@ source "$(dirname "$0")/lib.sh"
   printf '[[entity]]\nshape = { box = { min = [-1, -1], max = [17, 17] } }\nfill = "#c0392b"\n'
   printf 'repeat = { grid = { count = [20000, 1], step = [1e-6, 0] } }\n'
 } > boxes.toml
-# 3000 translucent slivers in each of 540 rows: a run a row each. Runs of 14 bytes would be half of what they may take.
+# 3000 translucent slivers in each of 540 rows: a run a row each. Runs of 16 bytes would take them to 52 MB.
 {
   printf 'flatray = 1\nfilm = { size = [16, 540], world = [[0, 0], [16, 540]] }\n'
   printf '[[entity]]\nshape = { polygon = { points = [[0, 0], [9, 540], [8.9, 540]] } }\nfill = "#3498db40"\n'

@@ -60,7 +60,7 @@ TEST(RealRoot, IsTheSquareRootOfTwo) {
   EXPECT_EQ(compare(both[0], both[1]), std::strong_ordering::less);
 }
 
-// Of x^3 = 2 and x^3 = 2 + 2^-17184: to halve the way between them once a bit would take minutes.
+// Of x^3 = 2 and x^3 = 2 + 2^-17184: a bit at a time would be 17 184 halvings.
 TEST(RealRoot, IsToldFromOneThatIsNearlyTheSame) {
   Rational tiny = 0x1p-1074;
   for (int i = 0; i < 4; ++i) tiny *= tiny;
@@ -69,6 +69,10 @@ TEST(RealRoot, IsToldFromOneThatIsNearlyTheSame) {
   EXPECT_EQ(compare(one, RealRoot::all({tiny - 2, 0, 0, 1}, 1, 2)[0]),
             std::strong_ordering::greater);
   EXPECT_EQ(one.sign_of({-2 - tiny, 0, 0, 1}), Sign::negative);
+  // One that is known without error, as the root of x^3 = 8, and the other within an interval.
+  const RealRoot two = RealRoot::all({-8, 0, 0, 1}, 1, 3)[0];
+  EXPECT_EQ(compare(two, RealRoot::all({-8 - tiny, 0, 0, 1}, 1, 3)[0]), std::strong_ordering::less);
+  EXPECT_EQ(compare(RealRoot::all({tiny - 8, 0, 0, 1}, 1, 3)[0], two), std::strong_ordering::less);
 }
 
 TEST(RealRoot, TellsEachRootOnceWhateverItsMultiplicity) {

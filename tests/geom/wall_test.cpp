@@ -73,8 +73,10 @@ TEST(Walls, OverlapWhereTheyShareMoreThanPoints) {
     for (const Known& other : all) {
       bool shared = false;
       for (std::size_t k = 0; k < kCount; ++k) shared |= one.stretches[k] && other.stretches[k];
-      ASSERT_EQ(overlap(one.arc, other.arc), shared);
+      ASSERT_EQ(overlap(one.arc, other.arc), shared)
+          << &one - all.data() << ' ' << &other - all.data();
     }
+  EXPECT_FALSE(overlap(Arc{Circle{centre, 0}}, Arc{Circle{centre, 0}}));
   EXPECT_FALSE(overlap(Arc{round}, Arc{Circle{centre, 4}}));
   EXPECT_TRUE(overlap(Segment{{0, 0}, {2, 2}}, Segment{{3, 3}, {1, 1}}));
   EXPECT_FALSE(overlap(Segment{{0, 0}, {1, 1}}, Segment{{1, 1}, {3, 3}}));

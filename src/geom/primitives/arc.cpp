@@ -69,22 +69,33 @@ Vec2 touched(const Ray& ray, const Ellipse& curve) {
   });
 }
 
-// Where an arc that is not whole starts and ends, counter-clockwise, as seen from its centre.
-std::array<Pair<Rational>, 2> end_directions(const Arc& arc) {
-  const auto [x, y] = pair_of(kRational, arc.from);
-  if (arc.extent == Arc::Extent::half) return {Pair<Rational>{y, -x}, {-y, x}};
-  const auto centre = pair_of(kRational, arc.curve.centre);
-  return {Pair<Rational>{x, y} - centre, pair_of(kRational, arc.to) - centre};
+// A direction, from one point to another.
+struct Way {
+  Vec2 from, to;
+};
+Sign turn(const Way& a, const Way& b) { return cross_sign(a.from, a.to, b.from, b.to); }
+
+// The directions in which an arc that is not whole starts and ends, counter-clockwise about its centre.
+std::array<Way, 2> ways_of_ends(const Arc& arc) {
+  const Vec2 start(arc.from.y(), -arc.from.x()), zero(0, 0);
+  if (arc.extent == Arc::Extent::half) return {Way{zero, start}, Way{start, zero}};
+  return {Way{arc.curve.centre, arc.from}, Way{arc.curve.centre, arc.to}};
 }
 
 // Whether a direction is met on the way counter-clockwise from one to another, without these.
-bool is_within(const Pair<Rational>& direction, const Pair<Rational>& from,
-               const Pair<Rational>& to) {
-  const bool past_from = cross(from, direction).sign() == Sign::positive,
-             before_to = cross(direction, to).sign() == Sign::positive;
-  const Sign turn = cross(from, to).sign();
-  return turn == Sign::negative ? past_from || before_to
-                                : past_from && (before_to || turn == Sign::zero);
+bool is_within(const Way& way, const Way& from, const Way& to) {
+  const bool past_from = turn(from, way) == Sign::positive,
+             before_to = turn(way, to) == Sign::positive;
+  const Sign whole = turn(from, to);
+  return whole == Sign::negative ? past_from || before_to
+                                 : past_from && (before_to || whole == Sign::zero);
+}
+
+bool is_same(const Way& a, const Way& b) {
+  const auto heads = [](const Way& way, int axis) {
+    return (way.to[axis] > way.from[axis]) - (way.to[axis] < way.from[axis]);
+  };
+  return turn(a, b) == Sign::zero && heads(a, 0) == heads(b, 0) && heads(a, 1) == heads(b, 1);
 }
 
 }  // namespace
@@ -284,13 +295,13 @@ Vec2 normal_near(const Arc& wall, const Vec2& point) {
 
 // Two cones have directions in common where one starts within the other, or both start together.
 bool overlap(const Arc& one, const Arc& other) {
-  if (!is_same_curve(one.curve, other.curve)) return false;
+  const bool is_point = one.curve.u == Vec2(0, 0) && one.curve.v == Vec2(0, 0);
+  if (is_point || !is_same_curve(one.curve, other.curve)) return false;
   if (one.extent == Arc::Extent::whole || other.extent == Arc::Extent::whole) return true;
-  const auto [from, to] = end_directions(one);
-  const auto [other_from, other_to] = end_directions(other);
-  return is_within(from, other_from, other_to) || is_within(other_from, from, to) ||
-         (cross(from, other_from).sign() == Sign::zero &&
-          dot(from, other_from).sign() == Sign::positive);
+  const auto [from, to] = ways_of_ends(one);
+  const auto [other_from, other_to] = ways_of_ends(other);
+  return is_same(from, other_from) || is_within(from, other_from, other_to) ||
+         is_within(other_from, from, to);
 }
 
 // The arc, its joints with it, and the lines from its ends to the centre enclose a piece of the cone. A

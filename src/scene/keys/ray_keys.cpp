@@ -196,9 +196,9 @@ void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
     if (!builder.in.problems.empty()) return;
     const Entity& from = scene.entities[rays.from];
     if (!from.markov && !has_straight_lines(scene.shapes[from.shape]))
-      builder.in.warning(table.find("from")->where,
-                         "has no straight edges: these rays draw nothing",
-                         "name an entity that has, as a polygon or lines");
+      builder.in.warning(
+          table.find("from")->where, "has no straight edges: these rays draw nothing",
+          "name an entity that has, as lines, or a polygon whose edges do not cross");
   });
 }
 
