@@ -54,7 +54,8 @@ TEST(MovingMirrors, ABallGoesAtTheSpeedOfItsRay) {
   const std::vector<Refused> cases = {
       {with_mirror(kBox, "speed = 2\nball = { radius = 1, speed = 2 }"),
        "the ray has a speed of its own"},
-      {with_mirror(kBox, "speed = 0"), "must be above 0"}};
+      {with_mirror(kBox, "speed = 0"), "must be above 0"},
+      {with_mirror(kBox, "speed = 1e300"), "must be above 0 and below 1e+300"}};
   expect_refused(cases, [](const std::string& text) { return refusal(text); });
 }
 

@@ -30,7 +30,8 @@ void read_direction(Builder& builder, const Field& field, RayPath& ray) {
   ray.direction = *direction;
 }
 
-constexpr NumberRule kSpeedRule{&is_above_zero, "must be above 0", "write 1"};
+constexpr NumberRule kSpeedRule{[](double speed) { return speed > 0 && speed < kFarthest; },
+                                "must be above 0 and below 1e+300", "write 1"};
 
 template <auto Pointer, double (*change)(double) = nullptr>
 void set_moving(Builder& builder, const Field& field, OwnerOf<Pointer>& target) {
