@@ -9,13 +9,11 @@ namespace {
 
 constexpr std::size_t kPage = std::size_t{2} << 20, kLarge = 2 * kPage;
 
-std::size_t in_whole_pages(std::size_t bytes) { return (bytes + kPage - 1) / kPage * kPage; }
-
 }  // namespace
 
 void* allocate_large(std::size_t bytes) {
   if (bytes < kLarge) return ::operator new(bytes);
-  const std::size_t whole = in_whole_pages(bytes);
+  const std::size_t whole = (bytes + kPage - 1) / kPage * kPage;
   void* memory = ::operator new (whole, std::align_val_t{kPage});
   madvise(memory, whole, MADV_HUGEPAGE);  // small pages do, too
   return memory;

@@ -145,7 +145,7 @@ class Follower {
     const CellIndex before = flight_.cell();
     const auto left = flight_.cross_over(next);
     if (!left) return false;
-    const CellIndex step{flight_.cell().a - before.a, flight_.cell().b - before.b};
+    const CellIndex step = flight_.cell() - before;
     fly(start, *left, flight_.direction());
     const auto from = rounded(*left), to = rounded(flight_.point());
     if (!from || !to) return false;

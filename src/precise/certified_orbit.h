@@ -61,6 +61,12 @@ Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
 /// Of the largest extent of a room: as far as an orbit of doubles may be off before it is noise.
 inline constexpr double kHorizonShare = 0.01;
 
+/// Whether two bounces are on one wall, in one cell of periodic walls.
+template <class One>
+bool is_same_wall(const One& one, const CertifiedOrbit::Bounce& other) {
+  return one.surface == other.surface && one.cell == other.cell;
+}
+
 /// Bounces from the first on that the orbit of the same start in doubles has on the same walls, in the
 /// same cells of periodic walls, near the same points. Where they are fewer than those of `exact`, what
 /// follows is noise; of more bounces than these nothing is said.

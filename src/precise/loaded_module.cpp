@@ -27,8 +27,7 @@ std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact,
                       std::span<const Bounce> plain) {
   const double far = kHorizonShare * bounds_of(walls).size().maxCoeff();
   const auto near = [&](const CertifiedOrbit::Bounce& there, const Bounce& here) {
-    return there.surface == here.surface && there.cell == here.cell &&
-           (there.point - here.point).stableNorm() < far;
+    return is_same_wall(here, there) && (there.point - here.point).stableNorm() < far;
   };
   const auto parted =
       std::mismatch(exact.bounces.begin(), exact.bounces.end(), plain.begin(), plain.end(), near);

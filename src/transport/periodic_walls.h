@@ -27,6 +27,7 @@ struct CellIndex {
     b += step.b;
     return *this;
   }
+  CellIndex operator-(const CellIndex& from) const { return {a - from.a, b - from.b}; }
   bool operator==(const CellIndex&) const = default;
 };
 
@@ -99,6 +100,11 @@ class PeriodicWalls {
 
   /// Its two lattice vectors, rounded once: where the cell of index (1, 0) lies, that of (0, 1).
   const std::array<Vec2, 2>& lattice() const { return rounded_; }
+  /// A point as many cells on.
+  Vec2 shifted(const Vec2& point, const CellIndex& by) const {
+    return point + static_cast<double>(by.a) * rounded_[0] +
+           static_cast<double>(by.b) * rounded_[1];
+  }
   const Lattice& exact_lattice() const { return lattice_; }
 
  private:

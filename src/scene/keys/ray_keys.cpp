@@ -183,7 +183,8 @@ void read_rays(Builder& builder, const Field& field, Scene& scene) {
 bool has_straight_lines(const Shape& shape) {
   return !shape.vertices.empty() || !shape.segments.empty() ||
          std::ranges::any_of(shape.arc_paths, [](const ArcPath& path) {
-           return path.arcs.size() > 1 || (path.closed && !path.is_ellipse());
+           return std::ranges::any_of(walls_of(path),
+                                      [](const PathWall& wall) { return !wall.arc; });
          });
 }
 

@@ -140,17 +140,10 @@ class Study {
   }
 
  private:
-  template <class One>
-  static bool is_same_wall(const One& one, const CertifiedOrbit::Bounce& other) {
-    return one.surface == other.surface && one.cell == other.cell;
-  }
   // In the plane, whichever cells they are in.
   template <class One>
   double distance(const One& one, const CertifiedOrbit::Bounce& other) const {
-    const auto& [a, b] = room_.orbits().periodic().lattice();
-    return (one.point - other.point + static_cast<double>(one.cell.a - other.cell.a) * a +
-            static_cast<double>(one.cell.b - other.cell.b) * b)
-        .norm();
+    return room_.orbits().periodic().shifted(one.point - other.point, one.cell - other.cell).norm();
   }
 
   const ExperimentContext& context_;

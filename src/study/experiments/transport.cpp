@@ -99,13 +99,12 @@ struct Transport {
 class Walks : public OrbitSink {
  public:
   Walks(const Room& room, std::span<const OrbitStart> starts, Transport& all)
-      : lattice_(room.orbits().periodic().lattice()), times_(all.times), all_(all) {
+      : periodic_(room.orbits().periodic()), times_(all.times), all_(all) {
     for (const OrbitStart& start : starts) walks_.push_back({start.ray.origin, {}, {}});
   }
   void bounce(std::size_t number, const Bounce& bounce) override {
     Walk& walk = walks_[number];
-    const Vec2 here = bounce.point + static_cast<double>(bounce.cell.a) * lattice_[0] +
-                      static_cast<double>(bounce.cell.b) * lattice_[1];
+    const Vec2 here = periodic_.shifted(bounce.point, bounce.cell);
     const double end = times_.lag(times_.samples - 1);
     for (; walk.places.size() < times_.samples; walk.ways.push_back(bounce.in)) {
       const double time = times_.lag(walk.places.size());
@@ -143,7 +142,7 @@ class Walks : public OrbitSink {
     std::vector<Vec2> places, ways;
     double length = 0, longest = 0;
   };
-  const std::array<Vec2, 2>& lattice_;
+  const PeriodicWalls& periodic_;
   const LagTimes& times_;
   Transport& all_;
   std::vector<Walk> walks_;

@@ -102,19 +102,19 @@ TEST(EveryChamberExperiment, MeasuresTheSameAtAnotherScale) {
 TEST(Caustic, OfEllipsesKeepsTheirFociWhereverAndHoweverLargeTheyAre) {
   for (const auto& [scale, centre] :
        {std::pair(1.0, 1e3), {1.0, 1e6}, {1.0, 1e10}, {1e-100, 0.0}, {0x1p260, 0.0}}) {
-    const Scene scene = scene_of(
-        fmt::format("film = {{ size = [8, 8] }}\n[[chamber]]\nshape = {{ ellipse = {{ radii = [{}, "
-                    "{}], centre = "
-                    "[{}, 0] }} }}\n[[ray]]\nname = \"r\"\nat = [{}, {}]\ndirection = [1, 0.7]\n",
-                    2 * scale, scale, centre, centre, 0.3 * scale));
+    const Scene scene =
+        scene_of(fmt::format("film = {{ size = [8, 8] }}\n[[chamber]]\n"
+                             "shape = {{ ellipse = {{ radii = [{}, {}], centre = [{}, 0] }} }}\n"
+                             "[[ray]]\nname = \"r\"\nat = [{}, {}]\ndirection = [1, 0.7]\n",
+                             2 * scale, scale, centre, centre, 0.3 * scale));
     const ExperimentResult result = run("caustic", {scene});
     EXPECT_TRUE(result.holds) << scale << ' ' << centre << '\n' << result.summary;
     EXPECT_NEAR(measure(result, "r: largest").value / scale / scale, -0.926174, 1e-3);
   }
   const Scene disc = scene_of(
-      "film = { size = [8, 8] }\n[[chamber]]\nshape = { circle = { centre = [1e10, 0], radius = 1 "
-      "} "
-      "}\n[[ray]]\nname = \"r\"\nat = [1e10, 0.3]\ndirection = [1, 0.7]\n");
+      "film = { size = [8, 8] }\n[[chamber]]\n"
+      "shape = { circle = { centre = [1e10, 0], radius = 1 } }\n"
+      "[[ray]]\nname = \"r\"\nat = [1e10, 0.3]\ndirection = [1, 0.7]\n");
   EXPECT_TRUE(run("caustic", {disc}).holds);
 }
 
