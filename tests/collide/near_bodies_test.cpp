@@ -16,15 +16,15 @@ using oracle::Draw;
 using testing::disc;
 using Pairs = std::set<IndexPair>;
 
-struct World {
+struct CrowdedWorld {
   std::vector<Bounds> shapes;
   std::vector<std::vector<Stage>> stages;
   std::vector<Bounds> ways;  // from 0 to 1
 };
 
 // A few far away, a few huge, a few very fast.
-World world(std::uint64_t item, int count) {
-  World made;
+CrowdedWorld world(std::uint64_t item, int count) {
+  CrowdedWorld made;
   Draw draw(31, 1, item);
   for (int i = 0; i < count; ++i) {
     const double x = 40 * draw.unit(), y = 40 * draw.unit();
@@ -42,7 +42,7 @@ World world(std::uint64_t item, int count) {
 
 TEST(NearBodies, AreThosePairsWhoseSweptBoxesMeetEachOnce) {
   for (std::uint64_t item = 0; item < 40; ++item) {
-    const World bodies = world(item, 150);
+    const CrowdedWorld bodies = world(item, 150);
     NearBodies near(bodies.shapes);
     near.open(0, 1, bodies.stages);
     Pairs found;

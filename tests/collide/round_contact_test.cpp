@@ -21,7 +21,7 @@ struct Body {
   operator MovingBody() const { return {ring, velocity, radius}; }
   operator oracle::MovingCore() const { return {ring, velocity, radius}; }
 };
-const Ring kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const Ring kUnitSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 Body round_body(const Vec2& at, double radius, const Vec2& velocity) {
   return {{at}, velocity, radius};
@@ -60,7 +60,7 @@ TEST(RoundContact, DiscsThatTouchInPassingTouchAtOneInstantWhereverThatIs) {
 }
 
 TEST(RoundContact, ADiscMeetsASideOfASquareAndItsCorner) {
-  const Body square = {kSquare, {0, 0}, 0};
+  const Body square = {kUnitSquare, {0, 0}, 0};
   EXPECT_EQ(meet(round_body({-5, 0.5}, 1, {1, 0}), square).t_enter, 4);
   EXPECT_EQ(meet(round_body({-5, 0.5}, 1, {1, 0}), square).t_exit, 7);
   // Round the corner (0, 1) by 3-4-5.
@@ -75,7 +75,7 @@ TEST(RoundContact, ADiscMeetsASideOfASquareAndItsCorner) {
 }
 
 TEST(RoundContact, ADiscThatSlidesAlongASideIsAlong) {
-  const HitInterval slide = meet(round_body({-5, 3}, 2, {1, 0}), {kSquare, {0, 0}, 0});
+  const HitInterval slide = meet(round_body({-5, 3}, 2, {1, 0}), {kUnitSquare, {0, 0}, 0});
   EXPECT_EQ(slide.kind, HitClass::along);
   EXPECT_EQ(slide.t_enter, 5);
   EXPECT_EQ(slide.t_exit, 6);
@@ -93,7 +93,7 @@ TEST(RoundContact, TheNormalOfDiscsDoesNotSufferFromTheWay) {
 }
 
 TEST(RoundContact, WhatLiesInEachOtherTellsTheShortestWayApart) {
-  const Body square = {kSquare, {0, 0}, 0};
+  const Body square = {kUnitSquare, {0, 0}, 0};
   const Body right = {{{0.75, 0.25}, {2, 0.25}, {2, 0.75}}, {0, 0}, 0};
   EXPECT_EQ(resting_place(square, right, 0).normal, Vec2(1, 0));
   EXPECT_EQ(resting_place(right, square, 0).normal, Vec2(-1, 0));
@@ -136,8 +136,9 @@ TEST(RoundContact, WithoutRelativeMotionTheStartDecides) {
   EXPECT_EQ(meet(round_body({0, 0}, 2, v), round_body({3, 4}, 3.5, v), kLine).kind,
             HitClass::through);
   EXPECT_EQ(meet(round_body({0, 0}, 2, v), round_body({3, 4}, 2.5, v), kLine).kind, HitClass::miss);
-  EXPECT_EQ(meet(round_body({0.5, 0.5}, 0.1, v), {kSquare, v, 0}, kLine).kind, HitClass::through);
-  EXPECT_EQ(meet(round_body({0.5, 2}, 1, v), {kSquare, v, 0}, kLine).kind, HitClass::touch);
+  EXPECT_EQ(meet(round_body({0.5, 0.5}, 0.1, v), {kUnitSquare, v, 0}, kLine).kind,
+            HitClass::through);
+  EXPECT_EQ(meet(round_body({0.5, 2}, 1, v), {kUnitSquare, v, 0}, kLine).kind, HitClass::touch);
 }
 
 // A core of whole numbers with a radius, so that touching is frequent.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "full_counts.h"
 #include "geom/decide.h"
 #include "geom/meetings.h"
 #include "geom/primitives/bezier_roots.h"
@@ -21,7 +22,7 @@ const Bezier kInflection({-6, -24}, {-2, 24}, {2, -24}, {6, 24});  // 3 u, 3 u^3
 TEST(Bezier, ReachesToItsExtent) {
   oracle::Draw draw(7, 0, 0);
   const auto between = [&](double low, double high) { return low + (high - low) * draw.unit(); };
-  for (int i = 0; i < 600; ++i) {
+  for (std::uint64_t i = 0; i < times(600); ++i) {
     const auto point = [&] {
       const double x = between(-9, 9);
       return Vec2(x, between(-9, 9));

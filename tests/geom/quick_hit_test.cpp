@@ -41,17 +41,17 @@ struct Count {
 };
 
 // Scales and offsets of which some leave few bits, or none, of what is drawn.
-struct Family {
+struct WallFamily {
   double offset, size;
 };
-constexpr Family kFamilies[] = {{0, 1},     {1, 1},       {1e6, 1},    {1, 1e-9},
-                                {0, 1e-60}, {1e60, 1e58}, {0, 1e-150}, {1e150, 1e140}};
+constexpr WallFamily kWallFamilies[] = {{0, 1},     {1, 1},       {1e6, 1},    {1, 1e-9},
+                                        {0, 1e-60}, {1e60, 1e58}, {0, 1e-150}, {1e150, 1e140}};
 
 TEST(QuickHit, OfASegmentIsTheExactPointAndSideOrSaysThatItIsInDoubt) {
   Count count;
   for (int item = 0; item < 4000; ++item) {
     Draw draw = draw_of(90, item);
-    const Family& family = kFamilies[item % 8];
+    const WallFamily& family = kWallFamilies[item % 8];
     const Vec2 a = place(draw, family.offset, family.size);
     Vec2 b = place(draw, family.offset, family.size);
     if (item % 5 == 1) b.x() = a.x();  // upright
@@ -70,7 +70,7 @@ TEST(QuickHit, OfACurveIsTheExactPointAndSideOrSaysThatItIsInDoubt) {
   Count count;
   for (int item = 0; item < 4000; ++item) {
     Draw draw = draw_of(91, item);
-    const Family& family = kFamilies[item % 8];
+    const WallFamily& family = kWallFamilies[item % 8];
     const Vec2 centre = place(draw, family.offset, family.size);
     const Vec2 u = place(draw, 0, family.size), v = place(draw, 0, family.size);
     const bool round = item % 3 == 0;

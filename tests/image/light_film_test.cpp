@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "full_counts.h"
 #include "image/light_lines.h"
 
 namespace flatray {
@@ -103,11 +104,12 @@ TEST(LightFilm, AddsNothingOfAPointOrALineOutside) {
 }
 
 TEST(LightFilm, IsWithinItsBoundOfExactClipping) {
-  for (const LightLine& line : lines_of_all_kinds(300, 40, 30, 1)) expect_near_exact(line, 40, 30);
+  for (const LightLine& line : lines_of_all_kinds(times(300), 40, 30, 1))
+    expect_near_exact(line, 40, 30);
 }
 
 TEST(LightFilm, IsWithinItsBoundAcrossTiles) {
-  for (LightLine line : lines_of_all_kinds(60, 4, 140, 2)) {
+  for (LightLine line : lines_of_all_kinds(times(60), 4, 140, 2)) {
     line.to_x = std::clamp(line.to_x, -2.0, 6.0), line.from_x = std::clamp(line.from_x, -2.0, 6.0);
     expect_near_exact(line, 4, 140);
     std::swap(line.from_x, line.from_y), std::swap(line.to_x, line.to_y);
@@ -118,7 +120,7 @@ TEST(LightFilm, IsWithinItsBoundAcrossTiles) {
 // Both ends far outside: where the line is, is known to the last digits of its ends.
 TEST(LightFilm, CutsLinesThatComeFromFarAndGoFar) {
   Draws draws(3);
-  for (int i = 0; i < 150; ++i) {
+  for (std::uint64_t i = 0; i < times(150); ++i) {
     const double x = draws.between(1, 9), y = draws.between(1, 7), turn = draws.between(0, 7);
     const double back = std::exp2(draws.between(0, 36)), on = std::exp2(draws.between(0, 36));
     expect_near_exact(white(x - back * std::cos(turn), y - back * std::sin(turn),
@@ -138,7 +140,7 @@ TEST(LightFilm, TakesTheLargestDoubles) {
   // Of these no digit is left on the film; they are drawn somewhere, and no more than a line can be.
   Draws draws(4);
   const auto huge = [&] { return draws.between(-1, 1) * std::exp2(draws.between(0, 1023)); };
-  for (int i = 0; i < 200; ++i) {
+  for (std::uint64_t i = 0; i < times(200); ++i) {
     const double total = total_of(sums_of(300, 200, {white(huge(), huge(), huge(), huge())}));
     EXPECT_GE(total, 0);
     EXPECT_LE(total, 361);

@@ -272,7 +272,7 @@ TEST(CellGrid, ListsTheFirstOfCopiesAlone) {
 
 // Fans whose ends go opposite ways: the sum of their ends, or of words of their ends, is the same.
 TEST(CellGrid, TellsSegmentsApartWhoseEndsAddUpToTheSame) {
-  constexpr std::size_t kCount = 10'000;
+  const std::size_t kCount = times(10'000);
   const auto up = [](double y) { return Segment{{0, y}, {1, 3 - y}}; };
   const auto across = [](double x) { return Segment{{x, 0}, {3 - x, 1}}; };
   const auto both = [](double x) { return Segment{{x, x}, {3 - x, 3 - x}}; };

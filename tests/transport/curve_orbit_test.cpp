@@ -3,6 +3,7 @@
 #include "anim/timeline.h"
 #include "anim/world.h"
 #include "base/portable_math.h"
+#include "full_counts.h"
 #include "oracle/long_orbit.h"
 #include "scene/scene_text.h"
 #include "trace/random_rays.h"
@@ -358,7 +359,7 @@ TEST(BezierOrbit, FirstBouncesAreThoseOfLongNumbers) {
   Surfaces walls = lens();
   walls.add(Bezier({-0.5, -0.25}, {-0.25, 0.5}, {0.25, -0.5}, {0.5, 0.25}));
   Draws draw(5);
-  for (int i = 0; i < 20; ++i) {
+  for (std::uint64_t i = 0; i < times(20); ++i) {
     const Ray start{{0.1 + draw.unit(), 0.3 * draw.unit()}, {draw.unit() - 0.5, 1}};
     const Orbit orbit = in_mirrors(walls, start, 8);
     const oracle::LongOrbit truth = oracle::long_orbit(walls, start, 8, 512);

@@ -6,11 +6,16 @@
 namespace flatray {
 namespace {
 
-Light over(const Light& above, const Light& below, float opacity = 1) {
-  const float keep = 1.0F - above[3] * opacity;
-  Light sum;
-  for (std::size_t i = 0; i < 4; ++i) sum[i] = above[i] * opacity + below[i] * keep;
-  return sum;
+// In place and without the opacity of a layer: half of the time of a picture of many clear items.
+void lay(const Light& above, Light& below) {
+  const float keep = 1.0F - above[3];
+  for (std::size_t i = 0; i < 4; ++i) below[i] = above[i] + below[i] * keep;
+}
+
+Light over(Light above, Light below, float opacity = 1) {
+  for (float& part : above) part *= opacity;
+  lay(above, below);
+  return below;
 }
 
 // Over what is clear light is as opaque as it is bright.
@@ -53,30 +58,30 @@ std::uint32_t SeenItems::add_part(const ItemLook& look, const Light& light, int 
 }
 
 void SeenItems::add_whole(const ItemLook& look, const Light& light) {
-  const bool blends = look.layer == 0 && !look.adds;
   if (look.opaque) {
     begin(light);
   } else if (items.empty() && look.layer == 0) {
     ground = laid({&look, 1, light}, ground);
-  } else if (blends && on_whole_) {
+  } else if (look.blends() && on_whole_) {
     items.back().light = over(light, items.back().light);
   } else {
     items.push_back({&look, 1, light});
-    on_whole_ = blends && has_part_;
+    on_whole_ = look.blends() && has_part_;
   }
 }
 
 void SeenItems::place_all() {
   const std::size_t words = (items.size() + 63) / 64;
-  inside_.resize(words), opaque_.resize(words);
+  inside_.resize(words), opaque_.resize(words), plain_.resize(words);
   for (std::size_t word = 0; word < words; ++word) {
     const std::size_t first = 64 * word, count = std::min<std::size_t>(items.size() - first, 64);
-    std::uint64_t inside = 0, opaque = 0;
+    std::uint64_t inside = 0, opaque = 0, plain = 0;
     for (std::size_t i = 0; i < count; ++i) {
       inside |= std::uint64_t{items[first + i].covered()} << i;
       opaque |= std::uint64_t{items[first + i].look->opaque} << i;
+      plain |= std::uint64_t{items[first + i].look->blends()} << i;
     }
-    inside_[word] = inside, opaque_[word] = opaque;
+    inside_[word] = inside, opaque_[word] = opaque, plain_[word] = plain;
   }
 }
 
@@ -108,6 +113,14 @@ Light SeenItems::composed() {
   Light light = lowest == kNone ? ground : items[lowest].light;
   std::size_t i = next_inside(lowest + 1);  // after none comes the first
   while (i != kNone) {
+    const std::size_t word = i / 64;
+    std::uint64_t bits = inside_[word] & (~std::uint64_t{0} << (i % 64));
+    if ((bits & ~plain_[word]) == 0) {
+      for (; bits != 0; bits &= bits - 1)
+        lay(items[64 * word + static_cast<std::size_t>(std::countr_zero(bits))].light, light);
+      i = next_inside(64 * (word + 1));
+      continue;
+    }
     const ItemLook& first = *items[i].look;
     if (first.layer == 0) {
       light = laid(items[i], light);

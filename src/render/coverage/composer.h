@@ -24,6 +24,8 @@ struct ItemLook {
   bool covers(int winding) const {
     return rule == FillRule::nonzero ? winding != 0 : (winding & 1) != 0;
   }
+  /// Whether it is laid over what is below, alone.
+  bool blends() const { return layer == 0 && !adds; }
   /// In one pixel.
   Light at(int x, int y, int film_width) const;
 };
@@ -95,7 +97,7 @@ class SeenItems {
 
   bool has_part_ = false;
   bool on_whole_ = false;  ///< the uppermost is a light of those that cover all
-  std::vector<std::uint64_t> inside_, opaque_;
+  std::vector<std::uint64_t> inside_, opaque_, plain_;
   std::size_t lowest_ = 0;  ///< that showed when composed() looked
 };
 

@@ -19,11 +19,11 @@ TEST(Progress, TheBarShowsWhatIsDoneAtWhatRateAndWhatIsLeft) {
 
 // Tests have no terminal.
 std::string said(std::size_t total, ProgressMode mode) {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   Progress progress(total, mode);
   for (std::size_t i = 0; i < total; ++i) progress.step();
   progress.finish();
-  return testing::internal::GetCapturedStderr();
+  return ::testing::internal::GetCapturedStderr();
 }
 
 TEST(Progress, LinesAreFiveAtMostAndTheLastIsTheEnd) {

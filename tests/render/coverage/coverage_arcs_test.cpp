@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/portable_math.h"
+#include "full_counts.h"
 #include "render/coverage_families.h"
 
 namespace flatray {
@@ -60,7 +61,7 @@ double inside_length(const EllipseArc& e, double y, double x0, double x1) {
 
 TEST(ArcCoverage, ATurnedEllipseIsWithinAFewStepsOfItsSampledEquation) {
   constexpr int kParts = 400;
-  for (std::uint64_t item = 0; item < 6; ++item) {
+  for (std::uint64_t item = 0; item < times(6); ++item) {
     Draws draws(3, item);
     const FillArcs arcs = random_ellipse(draws);
     const Steps steps = steps_of(arcs, kBox);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "full_counts.h"
 #include "geom/primitives/bezier.h"
 #include "render/coverage/chains.h"
 #include "render/coverage_families.h"
@@ -196,7 +197,7 @@ double distance_to(const std::vector<Segment>& edges, const Vec2& point) {
 
 // The curve moved outward by half the width, and where it is straight to both sides.
 TEST(Strokes, TheOuterEdgeOfACurveIsWithinTheSagitta) {
-  for (std::uint64_t item = 0; item < 120; ++item) {
+  for (std::uint64_t item = 0; item < times(120); ++item) {
     Draws draws(17, item);
     const double half = std::exp2(-3 + 11 * draws.unit()), size = std::exp2(1 + 7 * draws.unit());
     const auto point = [&] { return Vec2(size * draws.unit(), size * draws.unit()); };

@@ -14,14 +14,14 @@
 namespace flatray {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 constexpr const char* kPoint = "[[lamp]]\nsource = { point = {} }\n";
 
 Vec2 centre_of(int x, int y) { return {-4 + (x + 0.5) / 8, 4 - (y + 0.5) / 8}; }
 
 // Means over pixels are off by a second derivative: r / 24 pixels^2.
-double pixel_mean(double r) { return 1 / (2 * kPi * r) * (1 + 1.0 / (24 * 64 * r * r)); }
+double pixel_mean(double r) {
+  return 1 / (2 * std::numbers::pi * r) * (1 + 1.0 / (24 * 64 * r * r));
+}
 
 TEST(Light, OfAPointFallsWithTheDistance) {
   const Fluence light = fluence(lit(kPoint));
@@ -70,7 +70,7 @@ TEST(Light, InAClosedMattRoomIsPowerOverLoss) {
     const Fluence light = fluence(lit(
         room + "material = { diffuse = { reflectance = " + std::to_string(reflectance) + " } }\n"));
     const double paths = light.sum() / 64;  // a pixel is an eighth wide
-    EXPECT_NEAR(paths / (kPi * 3 / 2 / (1 - reflectance)), 1, 0.005) << reflectance;
+    EXPECT_NEAR(paths / (std::numbers::pi * 3 / 2 / (1 - reflectance)), 1, 0.005) << reflectance;
     EXPECT_EQ(light.counts.escaped, 0);
   }
 }

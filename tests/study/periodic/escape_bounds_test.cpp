@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/philox.h"
+#include "full_counts.h"
 #include "study/chamber_scenes.h"
 #include "study/periodic/cycle_expansion.h"
 #include "study/periodic/disc_words.h"
@@ -149,7 +150,7 @@ TEST(EscapeBounds, GoWithTheSizeOfTheRoom) {
 // The cycle expansion of all orbits up to eight bounces: where its last steps differ by less than what is proven
 // is wide, it lies within.
 TEST(EscapeBounds, HoldTheCycleExpansionOfRandomDiscs) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= times(6); ++seed) {
     const DiscRoom room = random_discs(seed);
     const std::size_t symbols = seed % 2 == 0 ? 9 : 7;
     std::vector<Cycle> cycles;

@@ -107,7 +107,7 @@ TEST(Caustic, OfEllipsesKeepsTheirFociWhereverAndHoweverLargeTheyAre) {
                              "shape = {{ ellipse = {{ radii = [{}, {}], centre = [{}, 0] }} }}\n"
                              "[[ray]]\nname = \"r\"\nat = [{}, {}]\ndirection = [1, 0.7]\n",
                              2 * scale, scale, centre, centre, 0.3 * scale));
-    const ExperimentResult result = run("caustic", {scene});
+    const ExperimentResult result = run("caustic", {.scene = scene, .bounces = 2000});
     EXPECT_TRUE(result.holds) << scale << ' ' << centre << '\n' << result.summary;
     EXPECT_NEAR(measure(result, "r: largest").value / scale / scale, -0.926174, 1e-3);
   }
@@ -115,7 +115,7 @@ TEST(Caustic, OfEllipsesKeepsTheirFociWhereverAndHoweverLargeTheyAre) {
       "film = { size = [8, 8] }\n[[chamber]]\n"
       "shape = { circle = { centre = [1e10, 0], radius = 1 } }\n"
       "[[ray]]\nname = \"r\"\nat = [1e10, 0.3]\ndirection = [1, 0.7]\n");
-  EXPECT_TRUE(run("caustic", {disc}).holds);
+  EXPECT_TRUE(run("caustic", {.scene = disc, .bounces = 2000}).holds);
 }
 
 // From (0.5, 0.9) to (1, 0.95), and on from (0, 0.95) to (0.5, 1), which passes the middle farther off.
