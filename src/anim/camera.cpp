@@ -45,23 +45,27 @@ Bounds centred(const Vec2& centre, const Vec2& size) {
   return {low, low + size};
 }
 
-// Before it follows or drifts.
-Bounds framed(const Timeline& timeline, double time) {
+// A window before it follows or drifts. Its size is not that between its corners, which round it.
+struct Framed {
+  Bounds box;
+  Vec2 size;
+};
+Framed framed(const Timeline& timeline, double time) {
   const Scene& scene = timeline.scene();
   const Film& film = scene.film;
   const Camera& camera = scene.camera;
   const Bounds wanted = film.world ? *film.world : with_margin(timeline.content());
-  Vec2 centre = wanted.centre();
-  if (camera.at) centre = plus(scene, *camera.at, time);
-  Bounds box = grown_to_aspect(wanted, film);
+  const Bounds box = grown_to_aspect(wanted, film);
+  const Vec2 centre = camera.at ? plus(scene, *camera.at, time) : wanted.centre();
+  Vec2 size = box.size();
   if (camera.height) {
     const double height = plus(scene, *camera.height, time);
-    box = centred(centre, {height * film.width / film.height, height});
-  } else if (camera.at) {
-    box = centred(centre, box.size());
+    size = {height * film.width / film.height, height};
   }
   const double zoom = plus(scene, camera.zoom, time);
-  return zoom == 1 ? box : centred(box.centre(), box.size() / zoom);
+  if (!camera.at && !camera.height && zoom == 1) return {box, size};
+  size /= zoom;
+  return {centred(centre, size), size};
 }
 
 }  // namespace
@@ -90,10 +94,14 @@ Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entiti
   return all;
 }
 
+bool is_window_of_content(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  return !scene.film.world && !(camera.height && (camera.at || camera.follow));
+}
+
 Bounds camera_window(const Timeline& timeline, double time, const Vec2& followed) {
   const Camera& camera = timeline.scene().camera;
-  Bounds still = framed(timeline, time);
-  const Vec2 size = still.size();
+  const auto [still, size] = framed(timeline, time);
   Vec2 low = camera.follow ? followed + camera.offset - 0.5 * size : still.low;
   low += camera.velocity * time;
   if (low == still.low) return still;

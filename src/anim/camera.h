@@ -7,6 +7,9 @@ namespace flatray {
 /// content.
 Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entities);
 
+/// Whether the window is made of the content: nothing else says where or how large it is.
+bool is_window_of_content(const Scene& scene);
+
 /// World shown at `time`, of the film's aspect, where the followed entity stands at `followed`.
 ///
 /// Gives   the size of camera.height, else of film.world, else of the content and 5 % on each side,

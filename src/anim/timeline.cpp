@@ -136,7 +136,7 @@ Timeline::Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame, 
   for (std::uint32_t i = 0; i < scene.lamps.size(); ++i)
     if (const Lamp& lamp = scene.lamps[i]; lamp.markov)
       lamps_[i] = replay(scene, seed, {lamp, i}, last_frame, every_);
-  content_ = content_bounds(scene, entity_states(*this, 1));
+  if (is_window_of_content(scene)) content_ = content_bounds(scene, entity_states(*this, 1));
 }
 
 Timeline::MarkovFrame Timeline::markov(std::uint32_t index, unsigned frame) const {

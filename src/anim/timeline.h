@@ -43,7 +43,9 @@ class Timeline {
   }
   std::span<const CollisionEvent> events() const { return responses_.events; }
 
-  const Bounds& content() const { return content_; }  ///< of frame 1, for scenes without a window
+  const Bounds& content() const {
+    return content_;
+  }  ///< of frame 1, where the window is made of it
 
   struct Walker;  ///< what goes through a chain
 

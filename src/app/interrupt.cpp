@@ -23,6 +23,7 @@ std::atomic<bool> told{false};  // somebody has said it, or is about to
 
 const char* word_of_stop() {
   if (stop == SIGALRM) return "the time of --max-seconds is over";
+  if (stop == SIGHUP) return "hung up";
   return stop == SIGTERM ? "terminated" : "interrupted";
 }
 
@@ -61,7 +62,7 @@ void take(int signal) {
   struct sigaction action {};
   action.sa_handler = &ask_to_stop;
   action.sa_flags = SA_RESTART;
-  for (const int other : {SIGINT, SIGTERM, SIGALRM}) ::sigaddset(&action.sa_mask, other);
+  for (const int other : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) ::sigaddset(&action.sa_mask, other);
   ::sigaction(signal, &action, nullptr);
 }
 
@@ -69,7 +70,7 @@ void take(int signal) {
 
 void catch_interrupts(const char* kept) {
   what_is_kept = kept;
-  for (const int signal : {SIGINT, SIGTERM})
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (!is_ignored(signal)) take(signal);
   take(SIGALRM);
 }
@@ -83,6 +84,8 @@ void limit_seconds(double seconds) {
 }
 
 void survive_file_limits() { ::signal(SIGXFSZ, SIG_IGN); }
+
+void survive_closed_pipes() { ::signal(SIGPIPE, SIG_IGN); }
 
 void expect_crashes_of_gl() {
   constexpr int kUnavailable = 5;

@@ -2,7 +2,7 @@
 
 namespace flatray {
 
-/// How the program ends from now on when SIGINT or SIGTERM comes, or its time is over: temporary
+/// How the program ends from now on when SIGINT, SIGTERM or SIGHUP comes, or its time is over: temporary
 /// files are removed, one line on standard error says why and what is `kept`, and the exit code is
 /// interrupted_code().
 ///
@@ -18,6 +18,9 @@ void limit_seconds(double seconds);
 /// the program.
 void survive_file_limits();
 
+/// From now on what reads no more is an error of the write, not the end of the program.
+void survive_closed_pipes();
+
 /// From now on a crash is told as that of the GL library, exit code 5: it does not survive that
 /// memory ends.
 void expect_crashes_of_gl();
@@ -29,7 +32,7 @@ bool interrupted();
 /// Exit code where --max-seconds or --max-memory ended the program, as that of timeout(1).
 inline constexpr int kOverLimit = 124;
 
-/// Then: 130 after SIGINT, 143 after SIGTERM, kOverLimit when time was over.
+/// Then: 130 after SIGINT, 143 after SIGTERM, 129 after SIGHUP, kOverLimit when time was over.
 int interrupted_code();
 
 /// The word for it, "interrupted". Who asks says it: an end by force after that says nothing more.

@@ -45,6 +45,31 @@ TEST(Camera, HeightAndPlaceOfTheCameraComeFirst) {
   expect_window(window(scene), {6, 3}, {14, 7});
 }
 
+TEST(Camera, ZoomDividesTheHeightAndKeepsThePlaceToTheLastDigit) {
+  Scene zoomed = small_scene();
+  zoomed.camera.at = MovingPoint{{0.1, 0.2}, {}, {}};
+  Scene near = zoomed;
+  for (const double zoom : {1.0, 0x1p40, 0x1p50, 0x1p60}) {
+    zoomed.camera.height = {10, {}};
+    zoomed.camera.zoom = {zoom, {}};
+    near.camera.height = {10 / zoom, {}};
+    expect_window(window(zoomed), window(near).low, window(near).high);
+  }
+}
+
+// Whatever else there is, and however far away.
+TEST(Camera, FollowingIsNotRoundedByFarContent) {
+  Scene scene = small_scene();
+  scene.camera.follow = add_box(scene, {0, 0}, {0.5, 0.5});
+  scene.camera.height = {1.3, {}};
+  const Bounds alone = window(scene);
+  for (const double far : {1e13, 1e15, 1e18}) {
+    Scene wide = scene;
+    add_box(wide, {far, 0}, {1, 1});
+    expect_window(window(wide), alone.low, alone.high);
+  }
+}
+
 TEST(Camera, TheContentIsOfCurvesAndNotOfTheirControlPoints) {
   Scene scene = small_scene();
   scene.film.world.reset();

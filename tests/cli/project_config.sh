@@ -12,6 +12,12 @@ FLATRAY_SIZE=30x10 run 0 render box.toml
 FLATRAY_SIZE=30x10 run 0 render box.toml --size 40x10 -o over.png
 [[ $(size_of over.png) == 40x10 ]] || fail "the command line does not win"
 
+printf 'force = true\n' > flatray.toml
+echo precious > kept.png
+FLATRAY_FORCE=0 run 6 render box.toml -o kept.png
+[[ $(< kept.png) == precious ]] || fail "the environment says no, and flatray.toml yes"
+run 0 render box.toml -o kept.png
+
 printf 'max-entities = 3\n' > flatray.toml
 printf 'flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n%s\n' \
   'repeat = { grid = { count = [4, 1], step = [2, 2] } }' > four.toml

@@ -34,5 +34,12 @@ printf 'flatray = 1\n[[entity]]\nshape = { import = { file = "../outside/shape.o
 ln -s "$work/outside" out/linked
 run 6 render in/scene.toml --sandbox -o 'out/{scene}/../linked/####.png' --quiet
 absent outside/0001.png
+# What writes nothing makes no folder.
+run 3 verify none --sandbox
+says err 'none: error: is not there'
+run 0 render in/scene.toml --sandbox --dry-run -o none/a/####.png
+run 3 render in/none.toml --sandbox -o none/b/####.png
+run 2 golden check --root none --sandbox
+absent none
 FLATRAY_SANDBOX=1 run 0 check in/scene.toml
 finish

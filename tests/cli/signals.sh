@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every verb that can take long, SIGINT and SIGTERM: it ends soon with 130 or 143, one line says why and what is kept, and no
+# Every verb that can take long, SIGINT, SIGTERM and SIGHUP: it ends soon with 130, 143 or 129, one line says why and what is kept, and no
 # file is there in part. Verbs run side by side; each gets its signal when it listens.
 source "$(dirname "$0")/lib.sh"
 # Mesa keeps shaders on disk by a thread of lowest priority, which a process that ends waits for where all cores are busy.
@@ -77,7 +77,7 @@ for ((first = 0; first < ${#commands[@]}; first += at_once)); do
     mkdir "run$i"
     words=${commands[i]//@/run$i}
     # A shell starts what runs in the background deaf to SIGINT; env gives it back its ears.
-    env --default-signal=INT,TERM "$flatray" ${words//SCENES/$root/scenes} > "run$i.out" 2> "run$i.err" &
+    env --default-signal=INT,TERM,HUP "$flatray" ${words//SCENES/$root/scenes} > "run$i.out" 2> "run$i.err" &
     pids[i]=$!
   done
   for i in "${wave[@]}"; do
@@ -89,12 +89,9 @@ for ((first = 0; first < ${#commands[@]}; first += at_once)); do
   sleep 0.1
   # All of a wave at once: the one that waits for its turn works on.
   start=$SECONDS
-  for i in "${wave[@]}"; do
-    if ((i % 2)); then signal "$i" TERM; else signal "$i" INT; fi
-  done
-  for i in "${wave[@]}"; do
-    if ((i % 2)); then expect "$i" TERM 143 terminated; else expect "$i" INT 130 interrupted; fi
-  done
+  names=(INT TERM HUP) codes=(130 143 129) said=(interrupted terminated 'hung up')
+  for i in "${wave[@]}"; do signal "$i" "${names[i % 3]}"; done
+  for i in "${wave[@]}"; do expect "$i" "${names[i % 3]}" "${codes[i % 3]}" "${said[i % 3]}"; done
 done
 
 # What is ignored stays so: a script that runs flatray beside itself keeps it from its own Ctrl-C.

@@ -53,6 +53,8 @@ says err "standard output: error: cannot write: No space left on device"
 "$flatray" render box.toml -o - --format y4m 2> err.txt | head -c 100 > head.txt
 [[ ${PIPESTATUS[0]} == 6 ]] || fail "a closed pipe: exit code ${PIPESTATUS[0]}"
 says err "the program that reads it has ended"
+env --default-signal=PIPE "$flatray" render box.toml -f 1 -o - --format hdr --size 1000x1000 2> err.txt | head -c 100 > head.txt
+[[ ${PIPESTATUS[0]} == 6 ]] || fail "a closed pipe behind one picture: exit code ${PIPESTATUS[0]}"
 "$flatray" render box.toml -f 1 -o - > /dev/full 2> err.txt
 [[ $? == 6 ]] || fail "a full disk: another exit code"
 says err "standard output: error: cannot write: No space left on device"

@@ -39,7 +39,7 @@ std::vector<std::string> words_for(const PictureFormat& format) {
 }  // namespace
 
 Result<VideoFile> VideoFile::begin(const PictureFormat& format, const std::filesystem::path& path) {
-  ::signal(SIGPIPE, SIG_IGN);  // who reads no more is told as an error of the write
+  survive_closed_pipes();
   ::signal(SIGCHLD, SIG_DFL);  // where it is ignored, nobody is told how a program ended
   VideoFile video(path);
   if (path == "-") return video;

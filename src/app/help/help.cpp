@@ -92,7 +92,7 @@ std::string help_text() {
          "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 input missing, 4 input invalid,\n"
          "5 not in this build, 6 output not written, 70 internal, 124 over a limit of time or "
          "memory,\n"
-         "130 interrupted, 143 terminated.\n";
+         "129 hung up, 130 interrupted, 143 terminated.\n";
 }
 
 std::string help_text(const Verb& verb) {

@@ -37,7 +37,7 @@ FLATRAY_ISA=portable, baseline, avx2 or avx512 chooses the instruction set. CI r
   6    an output cannot be written
   70   out of memory; or a bug of flatray: please report it
   124  what --max-seconds or --max-memory allow is used up
-  130  interrupted, 143 terminated: what is written is whole, and --resume goes on
+  130  interrupted, 143 terminated, 129 hung up: what is written is whole, and --resume goes on
 )"},
     {"formats", "files that are read",
      R"(The extension says what a file is; from standard input (-) its content does.

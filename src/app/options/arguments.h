@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -95,6 +96,8 @@ class Arguments {
   /// environment, and this before a file. Two said alike are a mistake.
   void keep_one_format();
 
+  /// Flags that the environment says no to, which a file does not set.
+  std::set<std::string, std::less<>> denied{};
   /// What is wrong with the words, to be told with what is wrong with their values.
   Diagnostics problems{};
   /// Told so far (report_warnings of app/report/report.h); those of all copies are the same.

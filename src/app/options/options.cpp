@@ -43,11 +43,14 @@ class WordReader {
       given[option.name].add_farther({variable, {value}});
     else if (is_one_of({"1", "true", "yes", "on"}))
       given[option.name] = {variable, {}};
-    else if (!is_one_of({"0", "false", "no", "off"}))
+    else if (is_one_of({"0", "false", "no", "off"}))
+      denied.insert(option.name);
+    else
       wrong(variable, fmt::format("'{}' is neither yes nor no", value), "say 1 or 0");
   }
 
   std::map<std::string, Given, std::less<>> given;
+  std::set<std::string, std::less<>> denied;
   std::vector<std::string> operands;
   Diagnostics problems;
 
@@ -134,6 +137,7 @@ Arguments parse_arguments(std::span<const Option> options, const std::vector<std
     if (const char* value = environment(variable.c_str())) reader.read(option, variable, value);
   }
   Arguments arguments(std::move(reader.given), std::move(reader.operands));
+  arguments.denied = std::move(reader.denied);
   arguments.problems = std::move(reader.problems);
   return arguments;
 }

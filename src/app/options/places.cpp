@@ -44,7 +44,8 @@ std::vector<Named> named_by(const Verb& verb, const Arguments& arguments) {
   const std::vector<std::string>& operands = arguments.operands();
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (const std::string what = operand_word(verb, i); names_path(what) && operands[i] != "-")
-      all.push_back({operands[i], named_place(operands[i]), kind_of(what, operands[i])});
+      all.push_back({operands[i], named_place(operands[i]),
+                     what == "FOLDER" ? Named::Kind::read : kind_of(what, operands[i])});
   bool has_output = false;
   for (const Option& option : options) {
     has_output = has_output || option.name == "output";
@@ -65,7 +66,16 @@ fs::path folder_written(const Named& one) {
   return folder_of(pattern.substr(0, pattern.find("{scene}")));
 }
 
-Result<void> open_for(const Named& one, const Arguments& arguments, Sandbox& sandbox) {
+// A folder to write to is made only where something will be written, as the kernel opens none that is not there.
+bool writes(const Verb& verb, const Arguments& arguments, std::span<const Named> all) {
+  return !arguments.has("dry-run") && !has_own_root(verb.command.options()) &&
+         std::ranges::all_of(all, [](const Named& one) {
+           std::error_code error;
+           return one.kind != Named::Kind::scene || fs::exists(one.path, error);
+         });
+}
+
+Result<void> open_for(const Named& one, const Arguments& arguments, bool make, Sandbox& sandbox) {
   if (one.kind == Named::Kind::scene || one.kind == Named::Kind::read) {
     sandbox.read.push_back(one.path);
     if (one.kind == Named::Kind::scene)
@@ -74,9 +84,9 @@ Result<void> open_for(const Named& one, const Arguments& arguments, Sandbox& san
   }
   const fs::path folder = folder_written(one);
   std::error_code error;
-  fs::create_directories(folder, error);
+  if (make) fs::create_directories(folder, error);
   if (error) return cannot("make the folder", folder, error.value(), Trouble::output);
-  sandbox.write.push_back(folder);
+  if (fs::exists(folder, error)) sandbox.write.push_back(folder);
   return {};
 }
 
@@ -132,8 +142,10 @@ Result<void> enter_sandbox(const Verb& verb, const Arguments& arguments) {
   for (const ModuleFile& module : kAllModules)
     if (const char* file = std::getenv(module.variable); file != nullptr)
       sandbox.read.emplace_back(file);
-  for (const Named& one : named_by(verb, arguments))
-    if (auto opened = open_for(one, arguments, sandbox); !opened) return opened;
+  const std::vector<Named> named = named_by(verb, arguments);
+  const bool make = writes(verb, arguments, named);
+  for (const Named& one : named)
+    if (auto opened = open_for(one, arguments, make, sandbox); !opened) return opened;
   return enter_sandbox(sandbox);
 }
 

@@ -98,7 +98,8 @@ void add_project_config(std::span<const Option> options, Arguments& arguments) {
       const auto values = values_of(*option, member.value);
       if (!values)
         problems.push_back(values.error().front());
-      else if (*values && (!arguments.has(member.key) || option->has_keys()))
+      else if (*values && !arguments.denied.contains(member.key) &&
+               (!arguments.has(member.key) || option->has_keys()))
         arguments.add_farther(member.key, given_by(member.value, **values));
     }
   }

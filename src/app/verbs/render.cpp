@@ -98,6 +98,7 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
     return usage_error(arguments.where("shard"), "leaves no frame for standard output",
                        "name a file, or leave out --shard");
   catch_interrupts(lost_by_stop(job));
+  survive_closed_pipes();
   FLATRAY_TRY(bytes, picture_bytes(job, job.frames.front(), threads));
   return VerbOutput{
       .text = {std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size())},

@@ -37,7 +37,7 @@ World without_walls_at(const Vec2& point, const World& all, Surfaces& rims) {
 // are thin. What ends on a wall is lit. Where the point is so far away that rounding the way to a pixel
 // moves its end, they start at the pixels.
 void draw(const ViewFrame& frame, const EachRow& each_row) {
-  const Vec2& point = frame.argument;
+  const Vec2 point = frame.argument + frame.state.displaced;
   Surfaces rims;  // the walls that the point lies on
   const SeenWalls seen(
       frame,

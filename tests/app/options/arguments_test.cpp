@@ -83,6 +83,21 @@ TEST(Arguments, KeysOfAllPlacesGoTogether) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(given.where(i).source->name(), places[i]);
 }
 
+// So that a file does not set what the environment says no to.
+TEST(Arguments, AFlagThatTheEnvironmentDeniesIsKnown) {
+  for (const char* word : {"0", "no"}) {
+    static const char* said;
+    said = word;
+    const Arguments arguments = parse({"a"}, [](const char* name) {
+      return std::string_view(name) == "FLATRAY_QUIET" ? said : nullptr;
+    });
+    EXPECT_TRUE(arguments.problems.empty());
+    EXPECT_FALSE(arguments.has("quiet"));
+    EXPECT_TRUE(arguments.denied.contains("quiet"));
+  }
+  EXPECT_TRUE(parse({"a"}).denied.empty());
+}
+
 TEST(Arguments, LettersOfFlagsStandTogetherBeforeAValue) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"-qo", "x.png"}, {"-qox.png"}}) {

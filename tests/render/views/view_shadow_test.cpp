@@ -47,6 +47,21 @@ TEST(View, WhatEndsOnAWallIsLit) {
   }
 }
 
+TEST(View, VisibilityIsThatOfThePointWhicheverMoves) {
+  const auto seen = [](const char* motion) {
+    const Scene scene =
+        scene_of(std::string("flatray = 1\nfps = 8\nfilm = { size = [64, 48] }\ncamera = { at = "
+                             "[0, 0], height = 12, "
+                             "velocity = [4, 2], motion = \"") +
+                 motion + "\" }\n[[entity]]\nshape = { circle = { radius = 1 } }\nat = [3, 1]\n");
+    const Timeline timeline(scene, scene.seed, 5);
+    return draw_view({&view_called("visibility"), {1, 0.5}}, find_tracer("brute"), scene,
+                     at(timeline, 5), {})
+        .pixels;
+  };
+  EXPECT_EQ(seen("frame-origin"), seen("objects"));
+}
+
 // All of its inside and what is behind it.
 TEST(View, ADiscIsDarkAndThrowsAShadow) {
   for (const Vec2& light : {Vec2(3.1, 0.57), Vec2(-1.9, -2.3)})
