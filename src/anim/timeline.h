@@ -43,9 +43,8 @@ class Timeline {
   }
   std::span<const CollisionEvent> events() const { return responses_.events; }
 
-  const Bounds& content() const {
-    return content_;
-  }  ///< of frame 1, where the window is made of it
+  /// Of frame 1, where the window is made of it.
+  const Bounds& content() const { return content_; }
 
   struct Walker;  ///< what goes through a chain
 
