@@ -24,7 +24,7 @@ function(flatray_module name)
   flatray_unite(own ${arg_SOURCES})
 endfunction()
 
-# Of a module that is united, compiles each twelve of these sources as one. By groups, so that what is left out of a build
+# Of a module that is united, compiles so many of these sources as one as its batch has. By groups, so that what is left out of a build
 # never brings others together.
 function(flatray_unite group)
   set(count 0)
