@@ -15,6 +15,7 @@ namespace flatray {
 namespace {
 
 constexpr double kGrace = 0.6;
+constexpr int kAskToStop[] = {SIGINT, SIGTERM, SIGHUP};
 
 // The globals of the program: a signal handler has no other way to hear or say anything.
 std::atomic<int> stop{0};  // the signal that asked for it
@@ -62,7 +63,8 @@ void take(int signal) {
   struct sigaction action {};
   action.sa_handler = &ask_to_stop;
   action.sa_flags = SA_RESTART;
-  for (const int other : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) ::sigaddset(&action.sa_mask, other);
+  for (const int other : kAskToStop) ::sigaddset(&action.sa_mask, other);
+  ::sigaddset(&action.sa_mask, SIGALRM);
   ::sigaction(signal, &action, nullptr);
 }
 
@@ -70,7 +72,7 @@ void take(int signal) {
 
 void catch_interrupts(const char* kept) {
   what_is_kept = kept;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  for (const int signal : kAskToStop)
     if (!is_ignored(signal)) take(signal);
   take(SIGALRM);
 }

@@ -2,9 +2,9 @@
 
 namespace flatray {
 
-/// How the program ends from now on when SIGINT, SIGTERM or SIGHUP comes, or its time is over: temporary
-/// files are removed, one line on standard error says why and what is `kept`, and the exit code is
-/// interrupted_code().
+/// How the program ends from now on when SIGINT, SIGTERM or SIGHUP comes, or its time is over:
+/// temporary files are removed, one line on standard error says why and what is `kept`, and the
+/// exit code is interrupted_code().
 ///
 /// Where something is `kept`, what asks interrupted() has 0.6 s to end by itself; without, and at a
 /// second signal, the end is at once. A signal that is ignored, as of what a script runs in the

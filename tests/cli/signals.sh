@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every verb that can take long, SIGINT, SIGTERM and SIGHUP: it ends soon with 130, 143 or 129, one line says why and what is kept, and no
-# file is there in part. Verbs run side by side; each gets its signal when it listens.
+# Every verb that can take long, SIGINT, SIGTERM and SIGHUP: it ends soon with 130, 143 or 129, one line says why and what is
+# kept, and no file is there in part. Verbs run side by side; each gets its signal when it listens.
 source "$(dirname "$0")/lib.sh"
 # Mesa keeps shaders on disk by a thread of lowest priority, which a process that ends waits for where all cores are busy.
 export MESA_SHADER_CACHE_DISABLE=true

@@ -24,8 +24,8 @@ function(flatray_module name)
   flatray_unite(own ${arg_SOURCES})
 endfunction()
 
-# Of a module that is united, compiles so many of these sources as one as its batch has. By groups, so that what is left out of a build
-# never brings others together.
+# Of a module that is united, compiles CMAKE_UNITY_BUILD_BATCH_SIZE of these sources at a time as one. By groups, so that what
+# is left out of a build never brings others together.
 function(flatray_unite group)
   set(count 0)
   foreach(source IN LISTS ARGN)

@@ -15,8 +15,8 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-# Where a folder sets CMAKE_UNITY_BUILD, twelve of its sources, or as many as it says, are one, which takes half the time, and those of
-# `study` folder by folder; whoever changes one file again and again may turn it off.
+# Where a folder sets CMAKE_UNITY_BUILD, twelve of its sources, or as many as it says, are compiled as one, which takes half
+# the time, and those of `study` folder by folder; whoever changes one file again and again may turn it off.
 option(FLATRAY_UNITY "compile several sources of most modules and of the tests as one" ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")

@@ -6,7 +6,7 @@
 namespace flatray {
 namespace {
 
-// In place and without the opacity of a layer: half of the time of a picture of many clear items.
+// In place: where many clear items lie over one another, most of the time goes here.
 void lay(const Light& above, Light& below) {
   const float keep = 1.0F - above[3];
   for (std::size_t i = 0; i < 4; ++i) below[i] = above[i] + below[i] * keep;
@@ -88,7 +88,7 @@ void SeenItems::place_all() {
 std::size_t SeenItems::next_inside(std::size_t from) const {
   std::size_t word = from / 64;
   if (word >= inside_.size()) return kNone;
-  std::uint64_t bits = inside_[word] & (~std::uint64_t{0} << (from % 64));
+  std::uint64_t bits = inside_from(from);
   while (bits == 0 && ++word < inside_.size()) bits = inside_[word];
   return bits == 0 ? kNone : 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
 }
@@ -114,8 +114,8 @@ Light SeenItems::composed() {
   std::size_t i = next_inside(lowest + 1);  // after none comes the first
   while (i != kNone) {
     const std::size_t word = i / 64;
-    std::uint64_t bits = inside_[word] & (~std::uint64_t{0} << (i % 64));
-    if ((bits & ~plain_[word]) == 0) {
+    std::uint64_t bits = inside_from(i);
+    if ((bits & ~plain_[word]) == 0) {  // all that is left of the word
       for (; bits != 0; bits &= bits - 1)
         lay(items[64 * word + static_cast<std::size_t>(std::countr_zero(bits))].light, light);
       i = next_inside(64 * (word + 1));

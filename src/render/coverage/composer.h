@@ -92,6 +92,10 @@ class SeenItems {
 
  private:
   static constexpr std::size_t kNone = ~std::size_t{0};
+  /// Bits of the word of an item: of it and those above that are inside.
+  std::uint64_t inside_from(std::size_t i) const {
+    return inside_[i / 64] & (~std::uint64_t{0} << (i % 64));
+  }
   std::size_t next_inside(std::size_t from) const;
   std::size_t uppermost_opaque() const;
 

@@ -85,12 +85,14 @@ TEST(Arguments, KeysOfAllPlacesGoTogether) {
 
 // So that a file does not set what the environment says no to.
 TEST(Arguments, AFlagThatTheEnvironmentDeniesIsKnown) {
-  for (const char* word : {"0", "no"}) {
-    static const char* said;
-    said = word;
-    const Arguments arguments = parse({"a"}, [](const char* name) {
-      return std::string_view(name) == "FLATRAY_QUIET" ? said : nullptr;
-    });
+  const Environment zero = [](const char* name) {
+    return std::string_view(name) == "FLATRAY_QUIET" ? "0" : nullptr;
+  };
+  const Environment no = [](const char* name) {
+    return std::string_view(name) == "FLATRAY_QUIET" ? "no" : nullptr;
+  };
+  for (const Environment denies : {zero, no}) {
+    const Arguments arguments = parse({"a"}, denies);
     EXPECT_TRUE(arguments.problems.empty());
     EXPECT_FALSE(arguments.has("quiet"));
     EXPECT_TRUE(arguments.denied.contains("quiet"));

@@ -48,12 +48,11 @@ TEST(View, WhatEndsOnAWallIsLit) {
 }
 
 TEST(View, VisibilityIsThatOfThePointWhicheverMoves) {
-  const auto seen = [](const char* motion) {
-    const Scene scene =
-        scene_of(std::string("flatray = 1\nfps = 8\nfilm = { size = [64, 48] }\ncamera = { at = "
-                             "[0, 0], height = 12, "
-                             "velocity = [4, 2], motion = \"") +
-                 motion + "\" }\n[[entity]]\nshape = { circle = { radius = 1 } }\nat = [3, 1]\n");
+  const auto seen = [](const std::string& motion) {
+    const Scene scene = scene_of(
+        "flatray = 1\nfps = 8\nfilm = { size = [64, 48] }\n[camera]\nat = [0, 0]\nheight = 12\n"
+        "velocity = [4, 2]\nmotion = \"" +
+        motion + "\"\n[[entity]]\nshape = { circle = { radius = 1 } }\nat = [3, 1]\n");
     const Timeline timeline(scene, scene.seed, 5);
     return draw_view({&view_called("visibility"), {1, 0.5}}, find_tracer("brute"), scene,
                      at(timeline, 5), {})
