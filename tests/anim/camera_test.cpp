@@ -57,7 +57,7 @@ TEST(Camera, ZoomDividesTheHeightAndKeepsThePlaceToTheLastDigit) {
   }
 }
 
-// Whatever else there is, and however far away.
+// Whatever else there is, and whatever world, however far away.
 TEST(Camera, FollowingIsNotRoundedByFarContent) {
   Scene scene = small_scene();
   scene.camera.follow = add_box(scene, {0, 0}, {0.5, 0.5});
@@ -66,6 +66,8 @@ TEST(Camera, FollowingIsNotRoundedByFarContent) {
   for (const double far : {1e13, 1e15, 1e18}) {
     Scene wide = scene;
     add_box(wide, {far, 0}, {1, 1});
+    expect_window(window(wide), alone.low, alone.high);
+    wide.film.world = Bounds{{far, 0}, {2 * far, far}};
     expect_window(window(wide), alone.low, alone.high);
   }
 }
