@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geom/bounds.h"
 #include "geom/enclosure.h"
 #include "geom/exact.h"
 #include "geom/pair.h"
@@ -19,7 +20,10 @@ inline constexpr auto kRational = [](double x) { return Rational(x); };
 inline constexpr auto kQuadratic = [](double x) { return Quadratic(x); };
 
 /// Its double, and what that is off by.
-inline Near near_of(const Quick& x) { return Near::within(x.hi(), x.error() + std::fabs(x.lo())); }
+template <class Arithmetic>
+Near near_of(const Enclosure<Arithmetic>& x) {
+  return Near::within(x.hi(), x.error() + std::fabs(x.lo()));
+}
 
 #if defined(__x86_64__)
 template <class Work>
@@ -40,6 +44,12 @@ void with_fused(const Work& work) {
 /// Any point of the box of half sides `reach` about a point.
 inline Pair<Near> within(const Vec2& point, const Vec2& reach) {
   return {Near::within(point.x(), reach.x()), Near::within(point.y(), reach.y())};
+}
+
+/// Any point of a box.
+inline Pair<Near> within(const Bounds& box) {
+  const Vec2 centre = box.centre();
+  return within(centre, (box.high - centre).cwiseMax(centre - box.low));
 }
 
 /// Sign of formula(number), where number turns a double into a number of the arithmetic to use.

@@ -184,6 +184,15 @@ std::optional<double> Ball::nearest() const {
   return nearest + 0.0;  // never -0
 }
 
+Near near_of(const Ball& x) {
+  const double about = mpfr_get_d(x.middle_, MPFR_RNDN);
+  Radius off;
+  mpfr_sub_d(off.value, x.middle_, about, MPFR_RNDA);
+  set_size_up(off.value, off.value);
+  mpfr_add(off.value, off.value, x.radius_, MPFR_RNDU);
+  return Near::within(about, mpfr_get_d(off.value, MPFR_RNDU));
+}
+
 Ball Ball::middle() const {
   Ball exact(*this);
   mpfr_set_zero(exact.radius_, 1);

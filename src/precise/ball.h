@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "geom/enclosure.h"
 #include "geom/exact.h"
 
 namespace flatray {
@@ -38,6 +39,8 @@ class Ball {
   std::optional<Sign> sign() const;
   /// The nearest double, where the radius leaves no doubt and it is finite.
   std::optional<double> nearest() const;
+  /// Its double, and what that is off by.
+  friend Near near_of(const Ball& x);
 
   /// It is known to be the sum of these: one without error, and one about 0.
   Ball middle() const;

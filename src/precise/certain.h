@@ -47,6 +47,9 @@ class Certain {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
   }
 
+  /// Its double, and what that is off by.
+  friend Near near_of(const Certain& x) { return near_of(x.ball()); }
+
   Certain middle() const { return exact() ? *this : Certain(ball().middle(), bits_); }
   Certain rest() const { return exact() ? Certain(0, bits_) : Certain(ball().rest(), bits_); }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "geom/decide.h"
 #include "geom/pair.h"
 #include "geom/primitives/arc.h"
 #include "geom/primitives/bezier_roots.h"
@@ -65,6 +66,23 @@ struct Course {
     return point == about ? moment : cross(direction, seen(point)) + moment;
   }
   Number place_of(const Vec2& point) const { return dot(seen(point), direction); }
+
+  /// The line and the ray in plain doubles.
+  struct Plain {
+    Vec2 about;
+    Pair<Near> direction;
+    Near moment, here;
+
+    /// Whether all of a box is surely to one side of the line, or behind the ray.
+    bool passes(const Pair<Near>& box) const {
+      const Pair<Near> seen = box - pair_of(kNear, about);
+      const Sign side = (cross(direction, seen) + moment).sign().value_or(Sign::zero);
+      return side != Sign::zero || (dot(seen, direction) - here).sign() == Sign::negative;
+    }
+  };
+  Plain plain() const {
+    return {about, {near_of(direction.x), near_of(direction.y)}, near_of(moment), near_of(here)};
+  }
 
   // A point as the line sees it.
   struct Sight {

@@ -42,6 +42,9 @@ class Flight {
         course_(start, make),
         point_(pair(start.origin)),
         first_entry_(point_) {
+    boxes_.reserve(walls.size());
+    for (std::uint32_t surface = 0; surface < walls.size(); ++surface)
+      boxes_.push_back(box_of(surface));
     for (const auto surface : ExactOrigins(walls).walls_at(start.origin)) {
       const auto* copy = periodic.find_copy(surface);
       if (copy == nullptr || stands_on(*copy)) departed_ = surface;
@@ -54,7 +57,9 @@ class Flight {
     Prospect found{Prospect::Kind::escape, {}};
     std::optional<CourseHit<Number>> best;  // of what is met first
     std::vector<Number> open;               // places of what may be missed
+    const auto line = course_.plain();
     for (std::uint32_t surface = 0; surface < walls_.size(); ++surface) {
+      if (line.passes(boxes_[surface])) continue;
       if (periodic_.has(surface)) {
         const auto out = leads_out(surface);
         if (!out) return {Prospect::Kind::open, {}};
@@ -158,6 +163,13 @@ class Flight {
   const Number& size() const { return course_.size; }
 
  private:
+  // The rounded place of a copy says nothing of where it is.
+  Pair<Near> box_of(std::uint32_t surface) const {
+    if (periodic_.find_copy(surface) != nullptr)
+      return within(Vec2(0, 0), Vec2(kInfinity, kInfinity));
+    return walls_.visit(surface, [](const auto& wall) { return within(bounds_of(wall)); });
+  }
+
   Pair<Number> pair(const Vec2& v) const { return course_.pair(v); }
 
   // As many vectors of the lattice.
@@ -351,6 +363,7 @@ class Flight {
 
   const Surfaces& walls_;
   const PeriodicWalls& periodic_;
+  std::vector<Pair<Near>> boxes_;  // about the walls
   Course<Number, Make> course_;
   Pair<Number> point_;
   std::uint32_t departed_ = kNoSurface;

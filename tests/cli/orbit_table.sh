@@ -32,6 +32,12 @@ says out "only the first 4"
 if "$flatray" --version | grep -q "MPFR"; then
   run 0 orbit "$sinai" --ray one -n 60 --precision certified --csv
   (($(grep -c ',yes$' out.txt) == 60)) || fail "a certified orbit has bounces that are not"
+  # Lengths in the world are the same for directions of any length.
+  for far in 1e300 1e-300; do
+    run 0 orbit "$hall" -D "ray.0.direction=[$far,$far]" --precision certified --csv
+    last=$(tail -1 out.txt)
+    [[ $last == *,162.6345596729059*,10,0,hall,0,0,1,4[45]* ]] || fail "of a direction of $far: $last"
+  done
   # Of what follows an undecided orbit nothing is known, and nothing said.
   run 0 orbit "$sinai" --ray one -n 60 --precision certified --bits 128
   says out "one: undecided after 3"

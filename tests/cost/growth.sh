@@ -34,6 +34,7 @@ orbit 100 legs
 render 200 groups
 check 250 keys
 check 200 includes
+check 100 imports
 check 1000 round_holes
 convert 2000 named
 '
@@ -123,6 +124,12 @@ scene() {
           printf "%s\"%s\"", i ? ", " : "", part
         }
         print "]"
+      } else if (name == "imports") {  # of one file, which grows with them
+        part = file ".obj"
+        for (i = 0; i < 20 * n; i++) print "# a remark" >part
+        print "v 0 0\nv 1 0\nv 0 1\nf 1 2 3" >part
+        close(part)
+        for (i = 0; i < n; i++) printf "[[entity]]\nshape = { import = { file = \"%s\" } }\n", part
       } else if (name == "round_holes") {
         print "[[chamber]]\nshape = { circle = { radius = 1 } }"
         for (i = 0; i < n; i++) printf "[[chamber.holes]]\nfrom = %.9f\nto = %.9f\n", (i + 0.2) / n, (i + 0.6) / n

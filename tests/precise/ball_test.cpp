@@ -81,6 +81,20 @@ TEST(Ball, IsItsMiddleAndItsRest) {
   EXPECT_EQ((third.middle() + third.rest() - third).sign(), std::nullopt);
 }
 
+// Its double is off by what the double rounds, and by what is not known of the ball.
+TEST(Ball, IsNearItsDouble) {
+  const Near rounded = near_of(Ball(0x1p60, 100) + Ball(1, 100));
+  EXPECT_EQ(rounded.value(), 0x1p60);
+  EXPECT_GE(rounded.error(), 1);
+  EXPECT_LE(rounded.error(), 1.001);
+  const Near unknown = near_of(ball(3) + either_root(ball(4)));
+  EXPECT_EQ(unknown.value(), 3);
+  EXPECT_GE(unknown.error(), 2);
+  EXPECT_LE(unknown.error(), 2.001);
+  EXPECT_EQ(near_of(ball(-7)).sign(), Sign::negative);
+  EXPECT_EQ(near_of(ball(1) / (ball(1) - ball(1))).sign(), std::nullopt);
+}
+
 // Of a number whose sign is open, as far as it may be positive: here up to 2^-126 or so.
 TEST(Ball, EitherRootHoldsBoth) {
   const Ball open = ball(1) / ball(3) * ball(3) - ball(1), root = either_root(open);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/enclosure.h"
+#include "oracle/families.h"
 #include "precise/certain.h"
 #include "precise/rooms.h"
 
@@ -80,6 +81,42 @@ TEST(Flight, HoldsWhatIsTrueAmongDiscs) {
   Surfaces walls = room({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
   walls.add(Circle{{0, 0}, 1});
   for (int i = 0; i < 10; ++i) expect_held_true(walls, {{-1.5, 0.3 + 0.01 * i}, {1, 0.21}}, 5);
+}
+
+// Rays that graze the box about a wall, or start beside it, at any scale.
+template <class Wall>
+void expect_missed_where_passed(const Wall& wall, double scale) {
+  const auto certain = [](double x) { return Certain(x, kFew); };
+  const Bounds box = bounds_of(wall);
+  int passed = 0, met = 0;
+  for (int i = 0; i < 300; ++i) {
+    oracle::Draw draw(11, 0, static_cast<std::uint64_t>(i));
+    const Vec2 corner = draw.any(box.corners()), off = draw.signed_halves(60) * box.size();
+    const Vec2 target = i % 3 == 0 ? corner : Vec2(corner + off);
+    const Vec2 start = scale * (20 * draw.point() - Vec2(10, 10));
+    const Ray ray{start, draw.unit() < 0.2 ? Vec2(start - target) : Vec2(target - start)};
+    const Course<Certain, decltype(certain)> course(ray, certain);
+    bool is_met = false;
+    for (const auto& meeting : course.meet(wall, false)) is_met |= meeting.met != Met::no;
+    const bool is_passed = course.plain().passes(within(box));
+    EXPECT_FALSE(is_passed && is_met) << i;
+    passed += is_passed;
+    met += is_met;
+  }
+  EXPECT_GE(passed, 50);
+  EXPECT_GE(met, 10);
+}
+
+TEST(Course, WhatPassesTheBoxOfAWallDoesNotMeetIt) {
+  for (const double scale : {1.0, 0x1p-300, 0x1p300}) {
+    const auto at = [&](double x, double y) { return Vec2(scale * x, scale * y); };
+    expect_missed_where_passed(Segment{at(1, 2), at(3, -0.7)}, scale);
+    expect_missed_where_passed(Segment{at(1, 2), at(1, 3)}, scale);
+    const Ellipse curve(at(0.1, 0), at(3, 1), at(-0.5, 2));
+    expect_missed_where_passed(Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}}, scale);
+    expect_missed_where_passed(Arc{curve, Arc::Extent::between, at(3, 1), at(-0.5, 2)}, scale);
+    expect_missed_where_passed(Bezier(at(0, 0), at(2, 3), at(4, -1), at(5, 1)), scale);
+  }
 }
 
 }  // namespace

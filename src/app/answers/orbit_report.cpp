@@ -15,6 +15,7 @@
 #include "study/rooms/room.h"
 #include "transport/exact_origin.h"
 #include "transport/orbit_tracer.h"
+#include "transport/reflection.h"
 
 namespace flatray {
 namespace {
@@ -59,7 +60,7 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
 }
 
 Orbit as_orbit(CertifiedOrbit exact, const Ray& start) {
-  const double speed = start.direction.norm();
+  const double speed = Speed(start.direction).length();
   Orbit orbit{static_cast<OrbitStop&>(exact), start.origin, start.direction};
   orbit.crossings = std::move(exact.crossings);
   double length = 0;

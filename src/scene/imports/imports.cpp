@@ -4,7 +4,6 @@
 
 #include "base/beneath.h"
 #include "base/file.h"
-#include "scene/reading/format.h"
 
 namespace flatray {
 namespace fs = std::filesystem;
@@ -66,6 +65,16 @@ Result<SourcePtr> Imports::read(const std::string& file, const std::string& path
   auto source = std::make_shared<const SourceText>(full.string(), std::move(*text),
                                                    std::make_shared<const Place>(where));
   return files_.emplace(path, std::move(source)).first->second;
+}
+
+Result<Shape> Imports::outline(const SourcePtr& file, const Format& format, double scale,
+                               bool centre, Diagnostics& warnings) {
+  const auto [kept, is_first] = outlines_.try_emplace({file.get(), &format, scale, centre});
+  if (kept->second) return *kept->second;
+  Diagnostics told;
+  Result<Shape> shape = format.outline(file, {scale, centre, threads_}, is_first ? warnings : told);
+  if (shape && !is_first) kept->second = *shape;
+  return shape;
 }
 
 fs::path import_root(const fs::path& scene) {

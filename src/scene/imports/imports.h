@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "base/result.h"
+#include "scene/reading/format.h"
 
 namespace flatray {
 
@@ -22,10 +23,11 @@ class Imports {
   Result<SourcePtr> open(const std::string& file, const Place& where);
   /// The same for a scene that is included there: paths in it are relative to its own folder.
   Result<SourcePtr> include(const std::string& file, const Place& where);
+  /// The outline in a file that `open` gave. `warnings` are told with the first of each.
+  Result<Shape> outline(const SourcePtr& file, const Format& format, double scale, bool centre,
+                        Diagnostics& warnings);
   /// Adds the bytes of every file read so far, by name.
   void add_to(Hash& hash) const;
-  /// Threads to read outlines with.
-  unsigned threads() const { return threads_; }
 
  private:
   struct Scene {
@@ -43,6 +45,9 @@ class Imports {
   std::filesystem::path root_;
   std::map<std::string, SourcePtr> files_;  ///< by path from the scene
   std::map<std::string, Scene> scenes_;     ///< by their own names
+  /// By file, format, scale and centre; kept from the second import on, as one alone needs no copy.
+  std::map<std::tuple<const SourceText*, const Format*, double, bool>, std::optional<Shape>>
+      outlines_;
 };
 
 /// The folder beneath which the files lie that a scene may refer to, if nobody says another: the one the

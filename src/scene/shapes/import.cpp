@@ -25,14 +25,14 @@ Result<const Format*> outline_format(Args& args, const std::string& file) {
 
 Result<Shape> build(Args& args) {
   const std::string file = args.string("file");
-  const OutlineOptions options{args.number("scale", 1), args.flag("centre"),
-                               args.imports().threads()};
-  if (options.scale == 0)
+  const double scale = args.number("scale", 1);
+  const bool centre = args.flag("centre");
+  if (scale == 0)
     return fail(args.place("scale"), "a scale of 0 leaves nothing", "write another number");
   FLATRAY_TRY(format, outline_format(args, file));
   FLATRAY_TRY(source, args.imports().open(file, args.place("file")));
   Diagnostics warnings;
-  Result<Shape> shape = (*format)->outline(*source, options, warnings);
+  Result<Shape> shape = args.imports().outline(*source, **format, scale, centre, warnings);
   args.warnings(std::move(warnings));
   return shape;
 }
