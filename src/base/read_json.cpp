@@ -39,7 +39,7 @@ class JsonBuilder {
   bool null() { return put({}); }
   bool boolean(bool truth) { return put(truth); }
   bool number_unsigned(std::uint64_t number) { return put(number); }
-  bool number_integer(std::int64_t number) { return put(number); }
+  bool number_integer(std::int64_t number) { return number == 0 ? put(-0.0) : put(number); }
   bool number_float(double number, const std::string&) { return put(number); }
   bool string(std::string& text) { return put(std::move(text)); }
   bool binary(Json::binary_t&) { return false; }

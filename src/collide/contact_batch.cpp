@@ -14,7 +14,7 @@ namespace {
 using Ready = BodySet::Ready;
 using Box = BodySet::Box;
 constexpr std::size_t kBlock = CertainContacts::kMost;
-constexpr double kUp = 1 + 0x1p-40;
+constexpr double kRoundUp = 1 + 0x1p-40;
 
 void set_corners(std::span<const Vec2> ring, std::span<const std::uint32_t> numbers,
                  bool turned_round, Ready& ready) {
@@ -165,7 +165,8 @@ std::uint32_t BodySet::add(std::span<const Vec2> core, double radius) {
   const auto number = static_cast<std::uint32_t>(size());
   const Bounds around = box_about(core);
   const Vec2 centre = around.centre();
-  const Vec2 half = kUp * ((centre - around.low).cwiseMax(around.high - centre).array() + radius);
+  const Vec2 half =
+      kRoundUp * ((centre - around.low).cwiseMax(around.high - centre).array() + radius);
   vertices_.insert(vertices_.end(), core.begin(), core.end());
   begin_.push_back(vertices_.size());
   boxes_.push_back({centre, half});

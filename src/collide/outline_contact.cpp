@@ -75,9 +75,9 @@ void count_cuts(const MovingParts& pieces, const MovingParts& others, Range with
 std::vector<Contact> ask(const BodySet& bodies, std::span<const MovingPair> pairs, Range within,
                          unsigned threads) {
   std::vector<Contact> found(pairs.size());
-  constexpr std::size_t kBlock = 2048;
-  parallel_for((pairs.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
-    const std::size_t from = block * kBlock, count = std::min(kBlock, pairs.size() - from);
+  constexpr std::size_t kAtOnce = 2048;
+  parallel_for((pairs.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t block) {
+    const std::size_t from = block * kAtOnce, count = std::min(kAtOnce, pairs.size() - from);
     contacts(bodies, pairs.subspan(from, count), within, std::span(found).subspan(from, count));
   });
   return found;

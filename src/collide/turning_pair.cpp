@@ -7,7 +7,7 @@ namespace {
 
 // Of each number some twenty roundings of what its terms add up to, sines and cosines of 1 ulp and
 // angles of some ulps: docs/NUMERICS.md.
-constexpr double kRoundings = 0x1p-47, kLeast = 0x1p-900;
+constexpr double kRoundings = 0x1p-47, kLeastError = 0x1p-900;
 // Radians from which on the disc in which a body turns is looked at.
 constexpr double kManyTurns = 64;
 
@@ -54,8 +54,8 @@ TurningPair::TurningPair(const TurningBody& a, const TurningBody& b, double leng
   const double given = kUp * (scale_ * (a.motion.doubt + b.motion.doubt) +
                               a.motion.angle_doubt * a_.reach + b.motion.angle_doubt * b_.reach);
   const auto errors = [&](double angles, double spins, double curve) -> Errors {
-    return {kRoundings * angles * size + given + kLeast,
-            kRoundings * angles * (speed_ + spins * size) + kLeast, curve};
+    return {kRoundings * angles * size + given + kLeastError,
+            kRoundings * angles * (speed_ + spins * size) + kLeastError, curve};
   };
   // How the slope of a gap to the other's centre may change, seen by who turns with `frame`.
   const auto carried = [&](const TurnedBody& frame) {

@@ -14,7 +14,7 @@ namespace {
 using Quad = std::array<std::uint8_t, 4>;  // red, green, blue, exponent
 
 // Takes bytes off the front; `ended` once there are none left.
-struct Bytes {
+struct HdrBytes {
   std::span<const std::byte> rest;
   bool ended = false;
 
@@ -46,7 +46,7 @@ bool read_size(const std::string& line, std::uint64_t& width, std::uint64_t& hei
 }
 
 // One channel of a row in runs: of n bytes each, or of one byte n - 128 times.
-bool read_runs(Bytes& bytes, std::vector<Quad>& row, std::size_t channel) {
+bool read_runs(HdrBytes& bytes, std::vector<Quad>& row, std::size_t channel) {
   for (std::size_t x = 0; x < row.size();) {
     const std::size_t count = bytes.next();
     const bool same = count > 128;
@@ -64,7 +64,7 @@ std::size_t least_of_row(std::size_t width) {
   return width >= 8 && width < 32768 ? 4 + 8 * ((width + 126) / 127) : 4 * width;
 }
 
-bool read_row(Bytes& bytes, std::vector<Quad>& row) {
+bool read_row(HdrBytes& bytes, std::vector<Quad>& row) {
   Quad first{};
   for (std::uint8_t& value : first) value = bytes.next();
   const std::size_t width = first[2] * std::size_t{256} + first[3];
@@ -88,7 +88,7 @@ Result<LinearImage> decode_hdr(std::span<const std::byte> file, const std::strin
   const auto wrong = [&](const std::string& what, const char* hint) {
     return fail(named_place(name), what, hint);
   };
-  Bytes bytes{file};
+  HdrBytes bytes{file};
   bool rgbe = false;
   double exposure = 1;  // by which light was multiplied
   for (std::string line = bytes.line(); !line.empty(); line = bytes.line()) {

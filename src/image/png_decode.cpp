@@ -62,8 +62,8 @@ Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& na
   if (png->frames > 1)
     return fail(named_place(name), fmt::format("is an animated PNG of {} frames", png->frames),
                 "give pictures of single frames");
-  constexpr std::uint32_t kMostSide = 1 << 24;  // of stb_image
-  if (std::max(png->width, png->height) > kMostSide)
+  constexpr std::uint32_t kMostSideOfStb = 1 << 24;  // of stb_image
+  if (std::max(png->width, png->height) > kMostSideOfStb)
     return fail(named_place(name),
                 fmt::format("PNG of {} x {} pixels is not read", png->width, png->height),
                 "2^24 are the most in a row or column; write it as PFM");

@@ -4,7 +4,7 @@ namespace flatray::oracle {
 namespace {
 
 using Scene = AimedScene;
-constexpr int kCurves = 12, kWorld = 32;
+constexpr int kCurves = 12;
 
 // Legs and hypotenuse in whole numbers: points of circles about whole numbers that doubles hold.
 constexpr struct {
@@ -310,7 +310,7 @@ Ray along_an_axis(const Scene&, Draw& draw) {
   return {{aside, from}, {tilt, along}};
 }
 
-Move far_away(Draw& draw) {
+Move arcs_far_away(Draw& draw) {
   const double sign = draw.sign(), x = sign * draw.power(30, 50);
   return moved_by({x, x * draw.sign()});
 }
@@ -332,7 +332,7 @@ std::vector<Family> arc_families() {
       {"round-scaled", "circles and arcs in units of 2^-900 to 2^899", &circles_and_arcs,
        &at_any_circle, &scaled},
       {"round-offset", "circles and arcs moved by 2^30 to 2^49", &circles_and_arcs, &at_any_circle,
-       &far_away},
+       &arcs_far_away},
       {"round-magnitudes", "circles of radius and distance 2^-50 to 2^49",
        &curves<circle_of_any_size>, &tangent_or_from_curve},
   };

@@ -7,7 +7,7 @@ namespace flatray::oracle {
 namespace {
 
 using Points = std::vector<Vec2>;
-constexpr int kCurves = 8, kWorld = 32;
+constexpr int kBeziers = 8;
 
 bool lie_on_one_line(const Points& points) {
   const Vec2 way = *std::find_if(points.begin(), points.end() - 1, [&](const Vec2& p) {
@@ -133,7 +133,7 @@ Ray ray_at(const AimedScene& scene, Draw& draw) {
 template <Target (*make)(Draw&)>
 AimedScene curves(Draw& draw) {
   AimedScene scene;
-  for (int i = 0; i < kCurves; ++i) {
+  for (int i = 0; i < kBeziers; ++i) {
     Target target = make(draw);
     Bezier curve(target.points);
     curve.weight = target.weight;
@@ -145,11 +145,11 @@ AimedScene curves(Draw& draw) {
   return scene;
 }
 
-Move far_away(Draw& draw) {
+Move bezier_far_away(Draw& draw) {
   const double x = draw.sign(), size = draw.power(10, 30);
   return moved_by({x * size, draw.sign() * size});
 }
-Move thin(Draw& draw) { return flattened(draw.halves(300)); }
+Move thin_bezier(Draw& draw) { return flattened(draw.halves(300)); }
 
 }  // namespace
 
@@ -160,15 +160,16 @@ std::vector<Family> bezier_families() {
       {"bezier-scaled", "Bezier curves in units of 2^-900 to 2^899",
        &curves<special_or_whole_curve>, &ray_at, &scaled},
       {"bezier-offset", "Bezier curves moved by 2^10 to 2^29", &curves<special_or_whole_curve>,
-       &ray_at, &far_away},
+       &ray_at, &bezier_far_away},
       {"bezier-sliver", "Bezier curves flattened by up to 2^-299", &curves<special_or_whole_curve>,
-       &ray_at, &thin},
+       &ray_at, &thin_bezier},
       {"bezier-random", "Bezier curves of random doubles", &curves<random_curve>, &ray_at},
       {"conics", "parts of ellipses and hyperbolas, and tangents that doubles hold",
        &curves<whole_conic>, &ray_at},
       {"conic-scaled", "the same in units of 2^-900 to 2^899", &curves<whole_conic>, &ray_at,
        &scaled},
-      {"conic-sliver", "the same flattened by up to 2^-299", &curves<whole_conic>, &ray_at, &thin},
+      {"conic-sliver", "the same flattened by up to 2^-299", &curves<whole_conic>, &ray_at,
+       &thin_bezier},
       {"conic-random", "parts of ellipses and hyperbolas of random doubles", &curves<random_conic>,
        &ray_at},
   };

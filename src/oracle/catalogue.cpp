@@ -28,7 +28,7 @@ std::vector<StiffCase> held_elsewhere() {
   };
 }
 
-int number(const char* id) { return std::atoi(id + 1); }
+int id_number(const char* id) { return std::atoi(id + 1); }
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::vector<StiffCase> catalogue() {
   std::vector<StiffCase> all =
       stiff_rays() + stiff_orbits() + stiff_rooms() + stiff_contacts() + held_elsewhere();
   std::sort(all.begin(), all.end(), [](const StiffCase& a, const StiffCase& b) {
-    return std::pair(a.id[0], number(a.id)) < std::pair(b.id[0], number(b.id));
+    return std::pair(a.id[0], id_number(a.id)) < std::pair(b.id[0], id_number(b.id));
   });
   return all;
 }

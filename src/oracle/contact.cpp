@@ -10,9 +10,9 @@ namespace flatray::oracle {
 namespace {
 
 using Bound = std::optional<Rational>;
-using Ring = RingOf<Rational>;
+using ExactRing = RingOf<Rational>;
 
-void add_edges(const Ring& ring, std::vector<Point>& all) {
+void add_edges(const ExactRing& ring, std::vector<Point>& all) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point edge = ring[(i + 1) % ring.size()] - ring[i];
     if (!is_zero(edge)) all.push_back(edge);
@@ -55,7 +55,7 @@ class Times {
 struct Shadow {
   Rational low, high;
 };
-Shadow shadow(const Point& axis, const Ring& ring) {
+Shadow shadow(const Point& axis, const ExactRing& ring) {
   Shadow all{dot(axis, ring[0]), dot(axis, ring[0])};
   for (const Point& p : ring) {
     const Rational s = dot(axis, p);
@@ -79,7 +79,7 @@ std::vector<Point> axes_of(const std::vector<Point>& edges, bool has_area) {
 Bound bound(double t) { return std::isinf(t) ? Bound() : Bound(t); }
 
 ContactTruth truth_of_cores(const MovingCore& a, const MovingCore& b, Range within) {
-  const Ring ring_a = exact_ring(a.ring), ring_b = exact_ring(b.ring);
+  const ExactRing ring_a = exact_ring(a.ring), ring_b = exact_ring(b.ring);
   const Point way = exact(b.velocity) - exact(a.velocity);
   const Bound low = bound(within.low), high = bound(within.high), zero = Rational(0);
   std::vector<Point> edges;
@@ -105,8 +105,8 @@ ContactTruth truth_of_cores(const MovingCore& a, const MovingCore& b, Range with
   return found;
 }
 
-Ring at_time(const MovingCore& body, const Rational& t) {
-  Ring ring = exact_ring(body.ring);
+ExactRing at_time(const MovingCore& body, const Rational& t) {
+  ExactRing ring = exact_ring(body.ring);
   for (Point& p : ring) p = p + t * exact(body.velocity);
   return ring;
 }

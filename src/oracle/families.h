@@ -98,6 +98,9 @@ std::vector<Family> arc_families();
 std::vector<Family> bezier_families();
 std::vector<Family> mixed_families();
 
+/// Whole coordinates of scenes are about [0, kWorld).
+inline constexpr int kWorld = 32;
+
 /// Places of a family are moved by a factor of 2^-900 to 2^899, or flattened by up to 2^(1 - n).
 Move scaled(Draw& draw);
 Move moved_by(const Vec2& way);

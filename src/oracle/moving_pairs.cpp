@@ -40,7 +40,7 @@ StraightPair changed(StraightPair pair, const Change& change) {
 }
 
 StraightPair grid(Draw& draw) { return whole_pair(draw, 3); }
-StraightPair degenerate(Draw& draw) { return whole_pair(draw, 1); }
+StraightPair degenerate_pair(Draw& draw) { return whole_pair(draw, 1); }
 
 StraightPair decimal(Draw& draw) {
   return changed(whole_pair(draw, 2), [](const Vec2& p) { return Vec2(p / 10); });
@@ -79,7 +79,7 @@ StraightPair near_parallel(Draw& draw) {
   return pair;
 }
 
-StraightPair mixed_magnitude(Draw& draw) {
+StraightPair pair_of_magnitudes(Draw& draw) {
   StraightPair pair = whole_pair(draw, 1);
   const double large = draw.power(-40, 40);
   const double fast = draw.power(-80, 80);
@@ -140,9 +140,9 @@ StraightPair whole(Draw& draw) {
 // Two that pass each other at exactly the sum of their radii, at a time that mostly is no double; what
 // lies beside the point that touches is farther away, or as far.
 StraightPair tangent(Draw& draw) {
-  static constexpr double kTriples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}};
+  static constexpr double kRightTriangles[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}};
   static constexpr double kSpeeds[] = {1, 2, 3, 5, 7};
-  const auto& [p, q, h] = draw.any(kTriples);
+  const auto& [p, q, h] = draw.any(kRightTriangles);
   const double sign_p = draw.sign(), sign_q = draw.sign();
   const Vec2 way(sign_p * p, sign_q * q), across(-way.y(), way.x());
   const double reach = 1 + draw.below(3), behind = draw.below(21) - 5;
@@ -177,13 +177,13 @@ StraightPair round_one_ulp(Draw& draw) {
 
 constexpr StraightFamily kStraight[] = {
     {"grid", &grid, 2000},
-    {"degenerate", &degenerate, 2001},
+    {"degenerate", &degenerate_pair, 2001},
     {"decimal", &decimal, 2002},
     {"one-ulp", &one_ulp, 2003},
     {"scaled", &scaled, 2004},
     {"offset", &offset, 2005},
     {"near-parallel", &near_parallel, 2006},
-    {"mixed-magnitude", &mixed_magnitude, 2007},
+    {"mixed-magnitude", &pair_of_magnitudes, 2007},
     {"sliver", &sliver, 2008},
     {"uneven", &uneven, 2009},
     {"touching", &touching, 2010},

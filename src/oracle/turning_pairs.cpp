@@ -68,7 +68,7 @@ TurningPair segments(Draw& draw) {
   return aimed(draw, std::move(one), std::move(other), 6);
 }
 
-TurningPair far_away(Draw& draw) {
+TurningPair far_pair(Draw& draw) {
   TurningPair pair = polygons(draw);
   const double x = draw.sign() * 0x1p20, y = draw.sign() * 0x1p20;
   pair.a.at += Vec2(x, y);
@@ -107,7 +107,7 @@ TurningPair grazing(Draw& draw) {
 constexpr TurningFamily kFamilies[] = {
     {"turning-polygons", &polygons, 1000}, {"turning-rounded", &rounded, 1001},
     {"turning-slivers", &slivers, 1002},   {"turning-segments", &segments, 1003},
-    {"turning-fast", &fast, 1004},         {"turning-far", &far_away, 1005},
+    {"turning-fast", &fast, 1004},         {"turning-far", &far_pair, 1005},
     {"turning-squares", &squares, 1006},   {"turning-grazing", &grazing, 1007}};
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace {
 
 using Scene = AimedScene;
 using Ring = std::vector<Vec2>;
-constexpr int kSide = 4, kCell = 8, kWorld = kSide * kCell;
+constexpr int kSide = 4, kCell = kWorld / kSide;
 static_assert(kSide * kSide == kPolygonsAScene);
 
 // Rings, each of which is drawn by its number.

@@ -163,11 +163,13 @@ class Flight {
   const Number& size() const { return course_.size; }
 
  private:
-  // The rounded place of a copy says nothing of where it is.
+  // Of a copy where it is, of which the surface's own place is rounded.
   Pair<Near> box_of(std::uint32_t surface) const {
-    if (periodic_.find_copy(surface) != nullptr)
-      return within(Vec2(0, 0), Vec2(kInfinity, kInfinity));
-    return walls_.visit(surface, [](const auto& wall) { return within(bounds_of(wall)); });
+    const auto* copy = periodic_.find_copy(surface);
+    if (copy == nullptr)
+      return walls_.visit(surface, [](const auto& wall) { return within(bounds_of(wall)); });
+    const Pair<Number> way = way_of(copy->step);
+    return within(bounds_of(walls_.arc(copy->of))) + Pair<Near>{near_of(way.x), near_of(way.y)};
   }
 
   Pair<Number> pair(const Vec2& v) const { return course_.pair(v); }

@@ -22,19 +22,19 @@ LinearColour light_at(const Scene& scene, CurveId curve, double time) {
   return {light(0), light(1), light(2), static_cast<float>(alpha)};
 }
 
-// What is so short that its square is 0 has no length: all points then have t = 0.
+// Between its ends no pixel lies where it is shorter than the least length: all others are as far off as
+// floats tell.
 FilmGradient film_gradient(const Gradient& gradient, const Pose& world_from_shape,
                            const FilmTransform& film_from_world) {
   FilmGradient there;
   there.radial = gradient.radial;
   there.origin = film_from_world(world_from_shape(gradient.from));
-  const Vec2 along =
-      film_from_world.direction(world_from_shape.turned(gradient.to - gradient.from));
+  constexpr double kLeast_px = 0x1p-100;
+  const Vec2 way = world_from_shape.turned(gradient.along), along = film_from_world.direction(way);
   const double square = along.squaredNorm();
-  if (square > 0) {
-    there.axis = along / square;
-    there.per_pixel = 1 / std::sqrt(square);
-  }
+  const bool has_length = square > kLeast_px * kLeast_px;
+  there.axis = has_length ? Vec2(along / square) : unit({way.x(), -way.y()}) / kLeast_px;
+  there.per_pixel = 1 / (has_length ? std::sqrt(square) : kLeast_px);
   for (const Gradient::Stop& stop : gradient.stops)
     there.stops.push_back({stop.at, linear(stop.colour)});
   return there;

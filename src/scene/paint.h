@@ -41,7 +41,8 @@ struct Gradient {
     Colour colour;
   };
   bool radial = false;
-  Vec2 from{0, 0}, to{1, 0};  ///< radial: the centre, and a point of its circle
+  Vec2 from{0, 0};   ///< radial: the centre
+  Vec2 along{1, 0};  ///< from there to where the last colour is; radial: to the right
   std::vector<Stop> stops;
 };
 

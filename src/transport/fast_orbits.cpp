@@ -16,7 +16,7 @@ constexpr std::size_t kWave = 256;      // so many rays stay in the first cache
 constexpr std::size_t kMostWalls = 96;  // of more the exact tracer's cells are as fast
 constexpr double kUndecided = 0x1p-30;  // of the largest coordinate
 // A room reaches beyond a line by no more than rounding; lines met at cosines of 2^-16 and more are then near.
-constexpr double kRounding = 0x1p-48;
+constexpr double kStepRounding = 0x1p-48;
 // Beyond it rounding may hide whether a curve is met: the room by the curve's width, that by its length.
 constexpr double kMostSlender = 0x1p18;
 constexpr double kLeastRoom = 0x1p-300, kLargestRoom = 0x1p300;  // squares stay among the doubles
@@ -288,7 +288,7 @@ void FastOrbits::add(std::uint32_t surface, double (&record)[Record::kRecord]) {
 // Those whose line has all of the room on one side, or the others.
 void FastOrbits::add_segments(bool hull) {
   const Surfaces& walls = exact_.surfaces();
-  const double rounding = kRounding / kUndecided * walls_.near;
+  const double rounding = kStepRounding / kUndecided * walls_.near;
   for (std::size_t i = 0; i < walls.segments.size(); ++i) {
     const auto& [a, b] = walls.segments[i];
     const Vec2 way = b - a, middle = 0.5 * a + 0.5 * b;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "geom/error_free.h"
 #include "geom/predicates.h"
@@ -57,7 +58,8 @@ std::vector<PeriodicWalls::Disc> discs_across(const Surfaces& walls,
     const auto reaches = [&](const PeriodicWalls::Side& side) {
       return depth(side.wall, disc->centre) < disc->radius;
     };
-    if (disc && std::ranges::any_of(sides, reaches)) across.push_back({surface, *disc});
+    if (disc && std::ranges::any_of(sides, reaches))
+      across.push_back({surface, *disc, bounds_of(walls.arc(surface))});
   }
   const auto radius = [&](std::size_t i) { return across[i].circle.radius; };
   std::ranges::stable_sort(across, {},
@@ -69,6 +71,29 @@ std::vector<PeriodicWalls::Disc> discs_across(const Surfaces& walls,
   return copied;
 }
 
+// Discs by their radius, and then along a line askew to the walls, so that those along a wall are told apart.
+class DiscsAskew {
+ public:
+  explicit DiscsAskew(std::span<const PeriodicWalls::Disc> discs) : keys_(discs.size()) {
+    for (std::uint32_t i = 0; i < discs.size(); ++i)
+      keys_[i] = {discs[i].circle.radius, along(discs[i].circle.centre), i};
+    std::ranges::sort(keys_);
+  }
+  /// Tells see(disc) of all of a radius with centres no farther than `reach` from a place, and some beside.
+  template <class See>
+  void near(double radius, const Vec2& place, double reach, const See& see) const {
+    const double low = along(place) - 2 * reach, high = along(place) + 2 * reach;
+    for (auto key = std::ranges::lower_bound(keys_, Key{radius, low, 0});
+         key != keys_.end() && std::get<0>(*key) == radius && std::get<1>(*key) <= high; ++key)
+      see(std::get<2>(*key));
+  }
+
+ private:
+  using Key = std::tuple<double, double, std::uint32_t>;
+  static double along(const Vec2& point) { return point.x() + 0.6180339887498949 * point.y(); }
+  std::vector<Key> keys_;
+};
+
 // Which of them are copies of others, told by where these stand in the cells around: the nearest, where rounding may
 // have left it. Of two the earlier surface is no copy.
 std::vector<PeriodicWalls::Copy> copies_among(std::span<const PeriodicWalls::Disc> discs,
@@ -76,6 +101,7 @@ std::vector<PeriodicWalls::Copy> copies_among(std::span<const PeriodicWalls::Dis
   constexpr int kCells = 2;
   constexpr double kRounding =
       0x1p-51;  // of a centre's size, where a moving camera has rounded copies again
+  const DiscsAskew askew(discs);
   std::vector<PeriodicWalls::Copy> copies;
   std::vector<bool> known(discs.size(), false);
   for (std::size_t i = 0; i < discs.size(); ++i) {
@@ -84,15 +110,15 @@ std::vector<PeriodicWalls::Copy> copies_among(std::span<const PeriodicWalls::Dis
     for (int n = -kCells; n <= kCells; ++n)
       for (int m = -kCells; m <= kCells; ++m) {
         const Vec2 place = lattice.moved(disc.centre, n, m);
-        double least = kRounding * (place.cwiseAbs() + disc.centre.cwiseAbs()).sum();
+        const double reach = kRounding * (place.cwiseAbs() + disc.centre.cwiseAbs()).sum();
+        double least = reach;
         std::size_t nearest = i;
-        for (std::size_t k = i + 1; k < discs.size() && discs[k].circle.radius == disc.radius;
-             ++k) {
+        askew.near(disc.radius, place, reach, [&](std::size_t k) {
           const double off = (discs[k].circle.centre - place).cwiseAbs().sum();
-          if (known[k] || !(off <= least)) continue;
+          if (k <= i || known[k] || !(off < least || (off == least && k > nearest))) return;
           least = off;
           nearest = k;
-        }
+        });
         if (nearest == i || (n == 0 && m == 0)) continue;
         known[nearest] = true;
         copies.push_back({discs[nearest].surface, discs[i].surface, {n, m}});
@@ -180,7 +206,7 @@ std::vector<bool> PeriodicWalls::discs_around(const Vec2& point, const CellIndex
   };
   std::vector<bool> around(discs_.size(), false);
   for (const Disc& left : discs_) {
-    if (curve_side(point, left.circle) != Sign::negative) continue;
+    if (left.side_of(point) != Sign::negative) continue;
     const Copy before = place_of(left);
     for (std::size_t i = 0; i < discs_.size(); ++i) {
       Copy after = place_of(discs_[i]);
@@ -196,14 +222,13 @@ bool PeriodicWalls::may_stand(const Vec2& point, const std::vector<bool>& around
     return orientation(wall.a, wall.b, point) != Sign::negative;
   };
   for (std::size_t i = 0; i < discs_.size(); ++i)
-    if (curve_side(point, discs_[i].circle) != (around[i] ? Sign::negative : Sign::positive))
-      return false;
+    if (discs_[i].side_of(point) != (around[i] ? Sign::negative : Sign::positive)) return false;
   return std::ranges::all_of(sides_, is_inside, &Side::wall);
 }
 
 bool PeriodicWalls::in_disc_across(const Vec2& point) const {
   return std::ranges::any_of(
-      discs_, [&](const Disc& disc) { return curve_side(point, disc.circle) != Sign::positive; });
+      discs_, [&](const Disc& disc) { return disc.side_of(point) != Sign::positive; });
 }
 
 // Copies of a disc are rounded, too: what goes round one may come in under another by as much, and is moved

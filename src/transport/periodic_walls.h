@@ -72,6 +72,12 @@ class PeriodicWalls {
   struct Disc {
     std::uint32_t surface;
     Circle circle;
+    Bounds box;
+
+    /// Exact.
+    Sign side_of(const Vec2& point) const {
+      return box.contains(point) ? curve_side(point, circle) : Sign::positive;
+    }
   };
   /// One as it stands in a neighbouring cell: its centre is that of the
   /// surface `of` and a step of the lattice, as exact numbers; the surface's own is rounded.

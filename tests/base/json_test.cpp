@@ -21,6 +21,13 @@ TEST(JsonValue, NumbersAreShortestAndReadBack) {
   EXPECT_EQ(json_text(*back), json_text(value));
 }
 
+TEST(JsonValue, MinusZeroIsReadBack) {
+  const auto back = parse_json(json_text(JsonValue(-0.0)));
+  ASSERT_TRUE(back && back->as_number());
+  EXPECT_TRUE(std::signbit(*back->as_number()));
+  EXPECT_EQ(back->as_whole(), 0U);
+}
+
 TEST(JsonValue, JsonNeverHoldsABareInfinity) {
   EXPECT_EQ(json_text(Values{kInf, -kInf, std::nan("")}), R"(["inf","-inf","nan"])");
   EXPECT_EQ(json_text(Values{kInf, 1.0}, {.null_for_infinity = true}), "[null,1]");

@@ -36,6 +36,11 @@ refused box.toml "is an input" accuracy box.toml --profile box.toml --budget 0.1
 refused b.png "is an input" compare a.png b.png --diff b.png
 refused a.png "is an input" compare a.png b.png --diff ./mine/../a.png
 refused two/a.png "is an input" compare one two --diff two
+for name in d.jpg -; do
+  run 2 compare a.png b.png --diff "$name"
+  says err "'$name' does not end in .png"
+  absent "./$name"
+done
 refused mine/accuracy.csv "$other" accuracy box.toml --budget 0.1 --choice tracer -o mine
 refused mine/picture.png "$other" render box.toml -f 1 -o mine/picture.png
 refused mine/link.png "is a link" render box.toml -f 1 -o mine/link.png

@@ -31,6 +31,8 @@ run 2 stability box.toml --count 5
 says err "leave it out"
 run 2 stability box.toml --tracer grid
 says err "does not go with a scene"
+run 2 stability --catalogue --seed 7
+says err "does not go with --catalogue"
 run 3 stability none.toml
 scene fast.toml 1 '[[ray]]' 'name = "r"' 'at = [0, 0]' 'direction = [1, 1]' 'speed = 5'
 "$flatray" stability fast.toml > out.txt 2> err.txt && fail "a ray with a speed among walls that stand still"

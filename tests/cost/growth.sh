@@ -36,6 +36,7 @@ check 250 keys
 check 200 includes
 check 100 imports
 check 1000 round_holes
+check 500 cell_discs
 convert 2000 named
 '
 
@@ -133,6 +134,10 @@ scene() {
       } else if (name == "round_holes") {
         print "[[chamber]]\nshape = { circle = { radius = 1 } }"
         for (i = 0; i < n; i++) printf "[[chamber.holes]]\nfrom = %.9f\nto = %.9f\n", (i + 0.2) / n, (i + 0.6) / n
+      } else if (name == "cell_discs") {  # on a periodic edge, so that each has a copy opposite
+        printf "[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\nmaterial = \"periodic\"\npillars = ["
+        for (i = 0; i < n; i++) printf "%s{ shape = { circle = { centre = [0, %.9f], radius = 1e-6 } } }", i ? ", " : "", (i + 0.5) / n
+        print "]\n[[ray]]\nat = [0.5, 0.5]\ndirection = [1, 0.3]"
       } else if (name == "named") {
         for (i = 0; i < n; i++) printf "[[group]]\nname = \"g%d\"\n", i
       }

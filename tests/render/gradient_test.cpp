@@ -20,6 +20,28 @@ FilmGradient black_to_white(bool radial) {
   return gradient;
 }
 
+// Of any length, and wherever they are, they have their last colour beyond their end.
+TEST(Gradients, HaveTheirLastColourBeyondTheirEndHoweverShort) {
+  Film size;
+  size.width = size.height = 8;
+  FrameState state;
+  state.window = {{0, 0}, {8, 8}};
+  const FilmTransform film(size, state);
+  for (const double length : {1.0, 0x1p-60, 0x1p-200, 0x1p-600, 0x1p-1000})
+    for (const bool radial : {false, true}) {
+      Gradient gradient;
+      gradient.radial = radial;
+      gradient.from = {4, 4};
+      gradient.along = {0.6 * length, 0.8 * length};
+      gradient.stops = {{0, {0, 0, 0}}, {1, {255, 255, 255}}};
+      const FilmGradient there = film_gradient(gradient, pose({0, 0}, 0), film);
+      const GradientPainter painter(there);
+      EXPECT_EQ(painter.at({7, 1})[0], 1) << length;
+      EXPECT_EQ(painter.at({4, 4})[0], 0) << length;
+      EXPECT_EQ(painter.at({1, 6})[0], radial ? 1 : 0) << length;
+    }
+}
+
 TEST(Gradients, RunFromTheFirstStopToTheLastAndGoOn) {
   const FilmGradient linear = black_to_white(false), radial = black_to_white(true);
   EXPECT_EQ(GradientPainter(linear).at({-5, 3})[0], 0);

@@ -9,6 +9,7 @@
 #include "base/check.h"
 #include "base/counted.h"
 #include "base/processor_time.h"
+#include "base/shuffled.h"
 #include "collide/scene_timeline.h"
 
 namespace flatray {
@@ -80,8 +81,7 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
       "{:.1f} %", whole == 0 ? 0.0 : 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-// What each way costs in each round. Every other round goes through the ways backwards, so that
-// none is always the later one.
+// What each way costs in each round, each in an order of its own, so that none comes always after the same.
 Result<std::vector<CostRounds>> costs_of(const RenderJob& job, const std::vector<Kept>& ways,
                                          const Drawn& expected) {
   std::vector<std::vector<Cost>> costs(ways.size());
@@ -92,18 +92,19 @@ Result<std::vector<CostRounds>> costs_of(const RenderJob& job, const std::vector
     FLATRAY_CHECK(drawn->files == expected.files);  // leaving out changes no byte
     return {};
   };
-  const auto all_in_turn = [&](bool backwards) -> Result<void> {
+  const auto all_in_turn = [&](std::size_t round) -> Result<void> {
+    const Shuffled order(ways.size(), round, Stream::experiment);
     for (std::size_t i = 0; i < ways.size(); ++i)
-      if (auto done = turn(backwards ? ways.size() - 1 - i : i); !done) return done;
+      if (auto done = turn(order[i]); !done) return done;
     return {};
   };
   // The first round tells how many there is time for, and does not count: caches were cold.
   const double start = thread_seconds();
-  if (auto done = all_in_turn(false); !done) return fail(std::move(done));
+  if (auto done = all_in_turn(0); !done) return fail(std::move(done));
   const std::size_t rounds = rounds_for(thread_seconds() - start);
   for (auto& of_way : costs) of_way.clear();
   for (std::size_t round = 0; round < rounds; ++round)
-    if (auto done = all_in_turn(round % 2 == 1); !done) return fail(std::move(done));
+    if (auto done = all_in_turn(round + 1); !done) return fail(std::move(done));
   return in_one_unit(costs);
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <map>
 #include <numeric>
 
 #include "geom/predicates.h"
@@ -81,6 +83,12 @@ void add_copies(const Discs& discs, const Corners& cell, Question& question, Que
   const auto mistake = [&](std::size_t disc, const std::string& what) {
     question.mistake(fmt::format("walls[{}]", discs.walls[disc]), what);
   };
+  const auto numbers_of = [](const Circle& circle) {
+    return std::array{circle.centre.x(), circle.centre.y(), circle.radius};
+  };
+  std::map<std::array<double, 3>, std::vector<std::size_t>> given;
+  for (std::size_t i = 0; i < discs.walls.size(); ++i)
+    given[numbers_of(discs.circle(i))].push_back(i);
   const double depth = cell_depth(discs.scene.shapes.front());
   for (std::size_t i = 0; i < discs.chamber.pillars.size(); ++i) {
     const Chamber::Pillar& pillar = discs.chamber.pillars[i];
@@ -91,11 +99,11 @@ void add_copies(const Discs& discs, const Corners& cell, Question& question, Que
         mistake(i, "reaches over more cells than those that are looked at");
       continue;
     }
-    for (std::size_t other = *pillar.copy_of + 1; other < discs.walls.size(); ++other)
-      if (discs.circle(other).centre == circle.centre &&
-          discs.circle(other).radius == circle.radius)
-        mistake(other, fmt::format("is walls[{}] again, that of another cell: say it once",
-                                   discs.walls[*pillar.copy_of]));
+    if (const auto same = given.find(numbers_of(circle)); same != given.end())
+      for (const std::size_t other : same->second)
+        if (other > *pillar.copy_of)
+          mistake(other, fmt::format("is walls[{}] again, that of another cell: say it once",
+                                     discs.walls[*pillar.copy_of]));
     room.walls.add(circle);
     room.materials.push_back(Material::mirror);
     room.numbers.push_back(discs.walls[*pillar.copy_of]);

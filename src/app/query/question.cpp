@@ -8,6 +8,7 @@
 #include "geom/polygon.h"
 #include "geom/predicates.h"
 #include "scene/outlines/arcs.h"
+#include "scene/reading/format.h"
 
 namespace flatray {
 
@@ -19,7 +20,10 @@ struct QuestionPart {
 
   explicit operator bool() const { return value != nullptr; }
   QuestionPart operator[](const std::string& field) const {
-    return {question, value->find(field), where.empty() ? field : where + "." + field};
+    return {question, value->find(field), place_of(field)};
+  }
+  std::string place_of(const std::string& field) const {
+    return where.empty() ? field : where + "." + field;
   }
   // The items of a list; null for anything else.
   const Values* list() const { return std::get_if<Values>(&value->data); }
@@ -67,7 +71,9 @@ void check_fields(const QuestionPart& part, const std::vector<std::string>& know
   if (fields == nullptr) return;
   std::set<std::string_view> seen;
   for (const auto& field : *fields) {
-    const auto wrong = [&](const std::string& what) { part[field.first].mistake(what); };
+    const auto wrong = [&](const std::string& what) {
+      part.question.mistake(part.place_of(field.first), what);
+    };
     if (!seen.insert(field.first).second) wrong("is given twice");
     if (std::ranges::find(known, field.first) == known.end())
       wrong("is not a field of this question" + did_you_mean(field.first, known));
@@ -305,6 +311,7 @@ Surfaces Question::walls(std::string_view name) {
 }
 
 void Question::mistake(std::string_view where, std::string_view what) {
+  if (++mistake_count_ > kMostProblems) return;
   if (!mistakes_.empty()) mistakes_ += "; ";
   mistakes_ += fmt::format("{}: {}", where, what);
 }
@@ -313,7 +320,8 @@ std::string Question::mistakes() {
   std::vector<std::string> known = asked_;
   known.insert(known.end(), {"id", "op"});
   check_fields({*this, &whole_, ""}, known);
-  return mistakes_;
+  if (mistake_count_ <= kMostProblems) return mistakes_;
+  return fmt::format("{}; and {} more mistakes", mistakes_, mistake_count_ - kMostProblems);
 }
 
 }  // namespace flatray

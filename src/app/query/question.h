@@ -68,6 +68,7 @@ class Question {
   const Precision precision_;
   std::vector<std::string> asked_;
   std::string mistakes_;
+  std::size_t mistake_count_ = 0;
 };
 
 }  // namespace flatray

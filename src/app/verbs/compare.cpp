@@ -235,6 +235,10 @@ Result<VerbOutput> run(const Options& options) {
   if (const auto root = options.text("root")) {  // links below the folders may lead out of it
     FLATRAY_TRY(inside, expect_in_root(*root, files));
   }
+  if (options.diff && all.size() == 1 && all[0].name.empty() && options.diff->extension() != ".png")
+    return usage_error(named_place("--diff"),
+                       "'" + shown_text(options.diff->string()) + "' does not end in .png",
+                       "the difference is written as a PNG");
   Outputs outputs(options);
   for (const fs::path& file : files) outputs.add_input(file);
   std::vector<Result<Outcome>> outcomes(all.size());

@@ -102,7 +102,7 @@ struct Options : StabilityRequest {
     scene.row_of_seed(row, seed, ~std::uint64_t{0});
     row("-o, --output FOLDER",
         "where its files go: stability.csv, a row for each 16384 rays or 1024 pairs, or leaks.csv, "
-        "for each 1024 rays, from which a run with the same seed goes on");
+        "for each 1024 rays, from which a run with the same seed goes on; of a scene margins.csv");
     row(kForceRow);
     row_of_threads(row, scene.limits.threads);
     row(kJsonRow);
@@ -130,6 +130,9 @@ struct Options : StabilityRequest {
     for (const char* other : {"families", "count", "tiers"})
       if (row.has(other) && !(pairs && std::string_view(other) == "families"))
         row.problem(other, "is about the families of inputs", "leave it out");
+    if (row.has("catalogue") && row.has("seed"))
+      row.problem("seed", "does not go with --catalogue, whose cases are the same for ever",
+                  "leave it out");
     row.excludes("pairs", {"tracer"});
     if (scene_given && row.has("tracer"))
       row.problem("tracer", "does not go with a scene", "leave it out");

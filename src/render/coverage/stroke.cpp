@@ -57,7 +57,8 @@ class LineOutline {
   void add(const ChainLeg& leg, std::vector<ChainLeg>& legs) const {
     if (is_one_chord(leg.from, leg.to, 0.25 * kCapSagitta_px)) return legs.push_back(leg);
     const double angle = angle_of(leg.from, leg.to);
-    const int parts = static_cast<int>(std::ceil(2 * chords_ * std::fabs(angle) / kHalfTurn));
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil(2 * chords_ * std::fabs(angle) / kHalfTurn)));
     const auto at = [&](double i) -> Vec2 { return leg.a + i / parts * (leg.b - leg.a); };
     for (int i = 0; i < parts; ++i)
       legs.push_back({at(i), i + 1 < parts ? at(i + 1) : leg.b, i > 0 ? legs.back().to : leg.from,
@@ -67,6 +68,7 @@ class LineOutline {
 
  private:
   static constexpr double kHalfTurn = std::numbers::pi;
+  static constexpr double kRoundedUp = 1 + 0x1p-40;  // corners of a regular polygon are alike
 
   static std::vector<ChainLeg> backward(const std::vector<ChainLeg>& legs) {
     std::vector<ChainLeg> back;
@@ -79,7 +81,8 @@ class LineOutline {
 
   static double angle_of(const Vec2& from, const Vec2& to) {
     const double turn = cross(from, to);
-    return turn == 0 ? kHalfTurn : portable::atan2(turn, from.dot(to));
+    const double along = from.dot(to);
+    return turn == 0 && along < 0 ? kHalfTurn : portable::atan2(turn, along);
   }
   bool is_one_chord(const Vec2& from, const Vec2& to, double sagitta) const {
     return (side(to) - side(from)).squaredNorm() <= 8 * sagitta * style_.half_width;
@@ -125,7 +128,7 @@ class LineOutline {
       if (!is_one_chord(from.to, to.from, kCapSagitta_px))
         arc(pivot, begin, angle_of(from.to, to.from), ring);
     } else if (style_.joins == LineJoin::miter && along > -1 &&
-               2 <= style_.miter_limit * style_.miter_limit * (1 + along)) {
+               2 <= kRoundedUp * style_.miter_limit * style_.miter_limit * (1 + along)) {
       ring.go_to(pivot + (begin + end) / (1 + along));
     }
     ring.go_to(pivot + end);
@@ -181,7 +184,10 @@ void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& 
   if (chain.points.empty()) return;
   const LineOutline outline(style, edges, most);
   std::vector<ChainLeg> legs;
-  for (const ChainLeg& leg : legs_of(chain)) outline.add(leg, legs);
+  for (const ChainLeg& leg : legs_of(chain)) {
+    outline.add(leg, legs);
+    if (2 * legs.size() > most) break;  // each has an edge on either side
+  }
   if (legs.empty()) legs.push_back({chain.points[0], chain.points[0], {1, 0}, {1, 0}, 0});
   if (chain.closed && legs.size() > 1)
     outline.closed(legs);

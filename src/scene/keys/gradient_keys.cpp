@@ -42,6 +42,9 @@ void read_stops(Builder& builder, const Field& field, Words& gradient) {
   }
 }
 
+struct LinearWords : Gradient {
+  Vec2 to{1, 0};
+};
 struct RadialWords : Gradient {
   Vec2 centre{0, 0};
   double radius = 0;
@@ -53,10 +56,10 @@ constexpr NumberRule kRadiusRule{[](double radius) { return radius > 0 && radius
 
 constexpr const char* kStopsTake = R"(["#rrggbb" or [at, "#rrggbb"], ...])";
 
-constexpr Key<Gradient> kLinearKeys[] = {
-    {{"from", "[x, y]", kRequired}, &set<&Gradient::from>},
-    {{"to", "[x, y]", kRequired}, &set<&Gradient::to>},
-    {{"stops", kStopsTake, kRequired}, &read_stops<Gradient>},
+constexpr Key<LinearWords> kLinearKeys[] = {
+    {{"from", "[x, y]", kRequired}, &set<&LinearWords::from>},
+    {{"to", "[x, y]", kRequired}, &set<&LinearWords::to>},
+    {{"stops", kStopsTake, kRequired}, &read_stops<LinearWords>},
 };
 constexpr Key<RadialWords> kRadialKeys[] = {
     {{"centre", "[x, y]", "[0, 0]"}, &set<&RadialWords::centre>},
@@ -65,9 +68,10 @@ constexpr Key<RadialWords> kRadialKeys[] = {
 };
 
 std::optional<Gradient> read_linear(Builder& builder, const Value& table) {
-  Gradient gradient;
-  if (!read_keys(builder, table, "linear", kLinearKeys, gradient)) return std::nullopt;
-  if (gradient.from != gradient.to) return gradient;
+  LinearWords words;
+  if (!read_keys(builder, table, "linear", kLinearKeys, words)) return std::nullopt;
+  words.along = words.to - words.from;
+  if (words.from != words.to) return words;
   return builder.in.refuse(
       {table.where, "the gradient has no length", "write where its first and its last colour are"});
 }
@@ -77,7 +81,7 @@ std::optional<Gradient> read_radial(Builder& builder, const Value& table) {
   if (!read_keys(builder, table, "radial", kRadialKeys, words)) return std::nullopt;
   words.radial = true;
   words.from = words.centre;
-  words.to = words.centre + Vec2(words.radius, 0);
+  words.along = {words.radius, 0};
   return words;
 }
 
@@ -97,7 +101,7 @@ std::optional<Paint> read_paint(Builder& builder, const Field& field) {
 }
 
 std::vector<TableInfo> gradient_tables() {
-  return {{"linear", key_infos<Gradient>(kLinearKeys), true},
+  return {{"linear", key_infos<LinearWords>(kLinearKeys), true},
           {"radial", key_infos<RadialWords>(kRadialKeys), true}};
 }
 

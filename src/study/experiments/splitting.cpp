@@ -205,7 +205,7 @@ class Report {
     left.remark = left.standard_error
                       ? fmt::format("relative error {:.2g}", *left.standard_error / left.value)
                       : fmt::format(
-                            "no error: {}; clones part too late (say --apart 0.1), or "
+                            "no error: {}; clones part too late (a larger --apart helps), or "
                             "--count is too small",
                             left.value > 0 ? "the groups differ too much, or turn too far"
                                            : "no orbit is left");

@@ -15,6 +15,7 @@ constexpr double kLeastTail = 100, kLeastGone = 25;  // orbits of a tail, of a s
 constexpr std::size_t kLeastStretches = 3;           // to tell one law from the other
 constexpr double kFreedomOfPower = 5;  // as what is left of the starts is soon like a power
 constexpr double kClearly = 2;         // times what chi-squared has in one run of twenty
+constexpr double kHardlyEver = 1e-3;   // so few orbits are to be left at most where one is
 constexpr double kLifetimes = 5;       // after which less than one in a hundred is left
 constexpr int kHalvings = 200;
 
@@ -42,7 +43,7 @@ struct FallingCurve {
   }
 
   // The tail from a start on, each stretch with enough that leave; the last one with what is left
-  // over, for those who stay longer than a law has it are against it.
+  // over.
   std::vector<Stretch> tail(std::size_t start) const {
     std::vector<Stretch> stretches;
     for (std::size_t from = start; from < gone.size();) {
@@ -102,7 +103,11 @@ Survival looked_at(const FallingCurve& curve, std::size_t start, double design_e
   found.power_rest = power.rest / design_effect;
   found.freedom = static_cast<double>(tail.size() - 1);
   const double most = chi_squared_95(found.freedom);
-  const bool fits = found.rate_rest <= most;
+  // One that stays longer than a law has it hardly adds to the squares of a stretch.
+  const double last = static_cast<double>(curve.gone.size()) - 1;
+  const bool outlasted =
+      curve.there[start] * portable::exp(-found.rate * (last - found.start)) < kHardlyEver;
+  const bool fits = found.rate_rest <= most && !outlasted;
   if (fits && found.power_rest > kClearly * most) found.law = Survival::Law::exponential;
   if (!fits && found.power_rest <= most && found.freedom >= kFreedomOfPower)
     found.law = Survival::Law::power;

@@ -10,7 +10,7 @@ namespace flatray {
 namespace {
 
 // Points as seen from the middle of a body, in a unit that is a power of two of its size.
-struct Frame {
+struct BodyFrame {
   Vec2 middle;
   int power;
   Vec2 vector(const Vec2& v) const {
@@ -21,10 +21,10 @@ struct Frame {
 
 // Twice the area that the line from the middle to a wall passes over, as one goes along the wall with
 // its body to the left; positive to the left of that line.
-double twice_swept(const Segment& wall, const Frame& frame) {
+double twice_swept(const Segment& wall, const BodyFrame& frame) {
   return cross(frame(wall.a), frame(wall.b));
 }
-double twice_swept(const Arc& wall, const Frame& frame) {
+double twice_swept(const Arc& wall, const BodyFrame& frame) {
   constexpr auto kNumber = [](double x) { return x; };
   const Ellipse curve(frame(wall.curve.centre), frame.vector(wall.curve.u),
                       frame.vector(wall.curve.v));
@@ -48,7 +48,7 @@ double twice_swept(const Arc& wall, const Frame& frame) {
   const double twice = sweep * cross(curve.u, curve.v) + cross(curve.centre, way);
   return wall.is_hollow ? -twice : twice;
 }
-double twice_swept(const Bezier&, const Frame&) { return 0; }  // no body has one
+double twice_swept(const Bezier&, const BodyFrame&) { return 0; }  // no body has one
 
 }  // namespace
 
@@ -69,7 +69,7 @@ Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
     absorb_ |= body.absorption != std::array<double, 3>{0, 0, 0};
     for (const std::uint32_t surface : body.surfaces)
       body.bounds.add(walls_.visit(surface, [](const auto& wall) { return bounds_of(wall); }));
-    Frame frame{body.bounds.centre(), 0};
+    BodyFrame frame{body.bounds.centre(), 0};
     std::frexp(body.bounds.size().maxCoeff(), &frame.power);
     double twice = 0;
     for (const std::uint32_t surface : body.surfaces)

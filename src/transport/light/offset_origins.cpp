@@ -13,7 +13,7 @@ namespace flatray {
 namespace {
 
 constexpr double kLeastSize = 0x1p-128, kMostSize = 0x1p128;  // sixth powers are doubles
-constexpr double kApart = 0x1p-36, kDistance = 0x1p-44, kFarthest = 0x1p4, kLeastBend = 0x1p-20;
+constexpr double kApart = 0x1p-36, kDistance = 0x1p-44, kFarthestOff = 0x1p4, kLeastBend = 0x1p-20;
 constexpr std::size_t kMostLooks = std::size_t{1} << 26;
 constexpr std::size_t kMostPairs = 1U << 16,
                       kMostPairsOfWall = 16;   // that are kept, and a wall more
@@ -42,7 +42,7 @@ OffsetOrigins::OffsetOrigins(const Surfaces& walls) : walls_(walls), table_(wall
   const Bounds all = bounds_of(walls);
   const double size = std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
   if (!(size > kLeastSize && size < kMostSize)) return;
-  apart_ = kApart * size, distance_ = kDistance * size, farthest_ = kFarthest * size;
+  apart_ = kApart * size, distance_ = kDistance * size, farthest_ = kFarthestOff * size;
   for (std::uint32_t i = 0; i < walls.size(); ++i)
     table_[i] = walls.visit(i, [&](const auto& each) { return wall(each); });
   find_neighbours();

@@ -39,17 +39,17 @@ std::vector<std::uint32_t> ascending_order(std::span<const WallPlace> places) {
     WallPlace place;
     std::uint32_t number;
   };
-  constexpr unsigned kBits = 11;  // at a time
+  constexpr unsigned kDigitBits = 11;  // at a time
   std::vector<Item> items(places.size()), sorted(places.size());
   WallPlace same = ~WallPlace{0}, any = 0;
   for (std::uint32_t i = 0; i < places.size(); ++i) {
     items[i] = {places[i], i};
     same &= places[i], any |= places[i];
   }
-  for (unsigned shift = 0; shift < 64; shift += kBits) {
-    const auto digit = [&](WallPlace place) { return (place >> shift) & ((1U << kBits) - 1); };
+  for (unsigned shift = 0; shift < 64; shift += kDigitBits) {
+    const auto digit = [&](WallPlace place) { return (place >> shift) & ((1U << kDigitBits) - 1); };
     if (digit(same ^ any) == 0) continue;
-    std::array<std::uint32_t, (1U << kBits) + 1> begin{};
+    std::array<std::uint32_t, (1U << kDigitBits) + 1> begin{};
     for (const Item& item : items) ++begin[digit(item.place) + 1];
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
     for (const Item& item : items) sorted[begin[digit(item.place)]++] = item;

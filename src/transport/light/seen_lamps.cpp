@@ -31,7 +31,7 @@ void add(Surfaces& lines, const LampLine& line, const Pose& pose) {
     lines.add(Arc{*circle, whole ? Arc::Extent::whole : Arc::Extent::between, ends.a, ends.b});
 }
 
-constexpr double kRounding = 0x1p-48;  // of the places of a lamp and its walls, in groups, too
+constexpr double kPlaceRounding = 0x1p-48;  // of the places of a lamp and its walls, in groups, too
 
 // Whether one lies on the line or curve of the other, as far as rounding of up to `reach` tells.
 template <class One, class Other>
@@ -61,7 +61,7 @@ WallsBeside walls_beside(const LampState& lamp, const Surfaces& walls) {
   const Bounds box = bounds_of(alone);
   const double far =
       box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(lamp.pose.at.cwiseAbs()).maxCoeff();
-  WallsBeside beside{{}, kRounding * (far + box.size().maxCoeff())};
+  WallsBeside beside{{}, kPlaceRounding * (far + box.size().maxCoeff())};
   for (std::uint32_t wall = 0; wall < walls.size(); ++wall)
     if (walls.visit(wall, [&](const auto& other) {
           return alone.visit(0,

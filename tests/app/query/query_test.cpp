@@ -69,6 +69,27 @@ TEST(Query, TheFirstWallIsTheNearestAndTheLowestOfEqualOnes) {
             R"({"wall":null})");
 }
 
+TEST(Query, OfManyMistakesTwentyAreTold) {
+  std::string fields, walls;
+  for (int i = 0; i < 30; ++i) {
+    fields += fmt::format(R"("k{}":0,)", i);
+    walls += i == 0 ? "1" : ",1";
+  }
+  const auto told = [](const std::string& line, const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = line.find(what, at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  const std::string unknown =
+      answer("{" + fields + R"("op":"nearest","walls":[],"origin":[0,0],"direction":[1,0]})");
+  EXPECT_EQ(told(unknown, "is not a field of this question"), 20U);
+  EXPECT_NE(unknown.find("; and 10 more mistakes\"}"), std::string::npos) << unknown;
+  const std::string wrong =
+      answer(R"({"op":"nearest","walls":[)" + walls + R"(],"origin":[0,0],"direction":[1,0]})");
+  EXPECT_EQ(told(wrong, "walls["), 20U);
+  EXPECT_NE(wrong.find("; and 10 more mistakes\"}"), std::string::npos) << wrong;
+}
+
 // An ellipse of half-diameters 3 and 2, and the parabola y = x^2.
 TEST(Query, EllipsesAndBezierCurvesAreWalls) {
   const auto nearest = [](const std::string& wall, const std::string& ray) {

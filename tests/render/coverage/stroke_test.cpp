@@ -9,24 +9,13 @@
 #include "full_counts.h"
 #include "geom/primitives/bezier.h"
 #include "render/coverage/chains.h"
+#include "render/coverage/strokes.h"
 #include "render/coverage_families.h"
 
 namespace flatray {
 namespace {
 
 using coverage_check::Draws;
-
-constexpr int kStrokeSide = 20;
-
-Steps stroke_steps(const FillPath& path) {
-  return steps_of(path, {0, 0, kStrokeSide, kStrokeSide});
-}
-
-double area_of(const Chain& chain, const LineStyle& style) {
-  FillPath path;
-  add_line(chain, style, path.edges);
-  return covered_area(stroke_steps(path));
-}
 
 TEST(Stroke, OfTheShortestLegsIsAsWideAsAll) {
   for (const double length : {1e-200, 1.6e-162, 2.4e-162, 1e-150, 1e-3}) {
@@ -37,17 +26,7 @@ TEST(Stroke, OfTheShortestLegsIsAsWideAsAll) {
   }
 }
 
-double length_of(const Chain& chain) {
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < chain.points.size(); ++i)
-    sum += (chain.points[i + 1] - chain.points[i]).norm();
-  return sum;
-}
-
 constexpr double kRound = 0.033;  // a disc of radius 2 by chords: 2/3 sagitta times circumference
-
-const Chain kCorner{{{4, 4}, {14, 4}, {14, 14}}};
-const Chain kSquare{{{4, 4}, {14, 4}, {14, 14}, {4, 14}}, true};
 
 // Two legs of 10 and width 4 overlap in a square of 4; the join fills a quarter of the corner's.
 TEST(Strokes, JoinsFillTheCornerAsTheirNamesSay) {
@@ -90,6 +69,35 @@ TEST(Strokes, AMiterAtItsLimitIsKept) {
   EXPECT_NEAR(limit - bevel, 0.5 * 0.75 * 0.75 * 0.96, 1e-4);
 }
 
+// Miters of 60 degrees are twice the width.
+TEST(Strokes, MitersAtTheLimitAreKeptAtAllCornersOfATriangle) {
+  for (int degrees = 0; degrees < 120; ++degrees) {
+    Chain triangle{{}, true};
+    for (int k = 0; k < 3; ++k) {
+      const double turn = (degrees + 120 * k) * std::numbers::pi / 180;
+      triangle.points.push_back(Vec2(10, 10) + 6 * Vec2(std::cos(turn), std::sin(turn)));
+    }
+    std::vector<Segment> at_limit, sharper;
+    add_line(triangle, {1, LineJoin::miter, LineCap::butt, 2}, at_limit);
+    add_line(triangle, {1, LineJoin::miter, LineCap::butt, 2.001}, sharper);
+    EXPECT_EQ(at_limit.size(), sharper.size()) << degrees;
+  }
+}
+
+// Of wide lines each leg that turns has thousands of parts.
+TEST(Strokes, AreNotLaidOutFarBeyondTheMostEdges) {
+  Chain wave{{{0, 0}}, false};
+  for (int k = 1; k <= 1000; ++k) {
+    wave.points.emplace_back(k, 0);
+    for (const double turn : {1.0, -1.0})
+      wave.ahead.push_back(unit({1, k % 2 == 0 ? turn : -turn}));
+  }
+  std::vector<Segment> edges;
+  add_line(wave, {1e6, LineJoin::round, LineCap::butt}, edges, 1000);
+  EXPECT_GT(edges.size(), 1000U);
+  EXPECT_LT(edges.capacity(), 100'000U);
+}
+
 TEST(Strokes, ADotHasItsCapsOrNothing) {
   const Chain dot{{{10, 10}, {10, 10}}};
   EXPECT_EQ(area_of(dot, {2, LineJoin::round, LineCap::butt}), 0);
@@ -119,11 +127,6 @@ TEST(Strokes, TheOutlineIsTheUnionOfItsLegs) {
 }
 
 constexpr double kTurn = 2 * std::numbers::pi;
-
-Chain arc_chain(const Vec2& centre, double radius, double from, double sweep) {
-  const EllipseArc arc{centre, {radius, 0}, {0, radius}, from, sweep};
-  return chain_of({{arc}, false});
-}
 
 // A pen square to the arc covers a sector of a ring; one longer than the radius on both sides of the
 // centre a sector each way.
@@ -285,107 +288,6 @@ TEST(Strokes, RingsThatShareACornerHaveEachEdgeOnce) {
   }
   EXPECT_EQ(count, edges.size());
   EXPECT_EQ(std::abs(twice_area), 2 * (9 + 9));
-}
-
-TEST(Dashes, LinesAndGapsFollowOneAnotherRoundCorners) {
-  const std::vector<double> lengths = {3, 1};
-  const std::vector<Chain> dashes = dashed(kCorner, lengths, 0);
-  ASSERT_EQ(dashes.size(), 5U);
-  for (const Chain& dash : dashes) EXPECT_DOUBLE_EQ(length_of(dash), 3);
-  EXPECT_EQ(dashes[2].points, (std::vector<Vec2>{{12, 4}, {14, 4}, {14, 5}}));
-}
-
-TEST(Dashes, DotsBeginWhereTheLineDoes) {
-  const std::vector<double> lengths = {0, 5};
-  const std::vector<Chain> dots = dashed(kCorner, lengths, 0);
-  ASSERT_EQ(dots.size(), 5U);
-  EXPECT_EQ(dots.front().points.front(), Vec2(4, 4));
-  EXPECT_EQ(dots.back().points.back(), Vec2(14, 14));
-}
-
-TEST(Dashes, AWholePeriodOfOffsetChangesNothing) {
-  const std::vector<double> lengths = {3, 1, 0, 1};
-  const std::vector<Chain> here = dashed(kCorner, lengths, 1.5);
-  for (const double offset : {6.5, -3.5, 51.5}) {
-    const std::vector<Chain> there = dashed(kCorner, lengths, offset);
-    ASSERT_EQ(here.size(), there.size()) << offset;
-    for (std::size_t i = 0; i < here.size(); ++i) EXPECT_EQ(here[i].points, there[i].points);
-  }
-}
-
-TEST(Dashes, AClosedChainHasNoCutWhereItBegins) {
-  const std::vector<double> lengths = {3, 1};
-  const std::vector<Chain> dashes = dashed(kSquare, lengths, 1);
-  ASSERT_EQ(dashes.size(), 10U);
-  EXPECT_EQ(dashes[0].points, (std::vector<Vec2>{{4, 5}, {4, 4}, {6, 4}}));
-  const std::vector<double> long_line = {100, 1};
-  const std::vector<Chain> whole = dashed(kSquare, long_line, 0);
-  ASSERT_EQ(whole.size(), 1U);
-  EXPECT_TRUE(whole[0].closed);
-}
-
-// A dash of the square from every corner, its cuts on corners and between them.
-TEST(Dashes, WhereAClosedChainBeginsMakesNoDifference) {
-  const std::vector<std::vector<double>> patterns = {
-      {8, 2}, {10, 10}, {0.7, 0.3}, {2.3, 0.1, 1.5, 0.1}};
-  for (const std::vector<double>& lengths : patterns)
-    for (const double offset : {0.0, 0.3, 4.0, 8.0, 9.0, -1e-16}) {
-      Steps first;
-      for (std::size_t corner = 0; corner < 4; ++corner) {
-        Chain square = kSquare;
-        std::rotate(square.points.begin(), square.points.begin() + static_cast<int>(corner),
-                    square.points.end());
-        FillPath path;
-        for (const Chain& dash :
-             dashed(square, lengths, offset + 10.0 * static_cast<double>(corner)))
-          add_line(dash, {2, LineJoin::miter, LineCap::butt}, path.edges);
-        const Steps steps = stroke_steps(path);
-        if (corner == 0) first = steps;
-        for (std::size_t i = 0; i < steps.size(); ++i)
-          ASSERT_NEAR(steps[i], first[i], 1) << lengths[0] << " " << offset << " " << corner;
-      }
-    }
-}
-
-TEST(Dashes, OneThatEndsWhereAClosedChainBeginsIsJoinedToTheOneThatBeginsThere) {
-  const std::vector<double> lengths = {10, 5}, round = {40, 3};
-  const std::vector<Chain> dashes = dashed(kSquare, lengths, 0);
-  ASSERT_EQ(dashes.size(), 2U);
-  EXPECT_EQ(dashes[0].points, (std::vector<Vec2>{{4, 14}, {4, 4}, {14, 4}}));
-  ASSERT_EQ(dashed(kSquare, round, 0).size(), 1U);
-  EXPECT_TRUE(dashed(kSquare, round, 0).front().closed);
-}
-
-TEST(Dashes, ACutBesideACornerIsAtIt) {
-  for (const double off : {-1e-9, -1e-15, 0.0, 1e-15, 1e-9}) {
-    const std::vector<double> ends = {10 + off, 5, 20, 1}, begins = {5, 5 + off, 3, 20};
-    EXPECT_EQ(dashed(kCorner, ends, 0)[0].points, (std::vector<Vec2>{{4, 4}, {14, 4}}));
-    const Chain dash = dashed(kCorner, begins, 0)[1];
-    EXPECT_EQ(dash.points.front(), Vec2(14, 4)) << off;
-    EXPECT_EQ(dash.points.size(), 2U) << off;
-  }
-}
-
-// The ends of a dash of a circle lie on lines through its centre.
-TEST(Dashes, CapsOfCurvesAreSquareToThem) {
-  const std::vector<double> lengths = {3, 2.2};
-  for (const Chain& dash : dashed(arc_chain({10, 10}, 6, 0.3, 4), lengths, 1)) {
-    std::vector<Segment> edges;
-    add_line(dash, {3, LineJoin::miter, LineCap::butt}, edges);
-    const std::size_t legs = dash.points.size() - 1;
-    const Segment& cap = edges[legs];
-    EXPECT_NEAR((cap.b - cap.a).norm(), 6, 1e-12);
-    EXPECT_NEAR(cross(cap.a - Vec2(10, 10), cap.b - Vec2(10, 10)), 0, 1e-12);
-  }
-}
-
-TEST(Dashes, MoreThanAMillionAreAWholeLine) {
-  const std::vector<double> lengths = {1e-9, 1e-9}, none = {0, 0};
-  for (const auto& tiny : {lengths, none}) {
-    const std::vector<Chain> dashes = dashed(kCorner, tiny, 0);
-    ASSERT_EQ(dashes.size(), 1U);
-    EXPECT_EQ(dashes[0].points, kCorner.points);
-  }
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(Looks, AGradientHasItsStopsEvenlyOrWhereTheyAreWritten) {
   EXPECT_EQ(fill.stops[2].colour.a, 0);
   const Gradient& stroke = scene.gradients.at(scene.entities[0].stroke->colour.gradient);
   EXPECT_TRUE(stroke.radial);
-  EXPECT_EQ(stroke.to, Vec2(4, 1));
+  EXPECT_EQ(stroke.along, Vec2(3, 0));
   EXPECT_EQ(stroke.stops[0].at, 0.25);
 }
 

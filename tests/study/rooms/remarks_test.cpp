@@ -149,6 +149,29 @@ TEST(Remarks, ADecayOfTwoKindsHasNoRate) {
   EXPECT_LE(mixed, 0.02 * static_cast<double>(runs));
 }
 
+// A power law of few orbits is exponential as far as stretches of it tell, but for those that stay longest.
+TEST(Remarks, OrbitsThatOutlastARateRefuteIt) {
+  const auto unit = [](std::uint64_t seed, std::uint64_t item) {
+    return unit_double(random_bits(seed, Stream::test, 8, item));
+  };
+  int powers = 0, rates = 0, outlasted = 0;
+  constexpr int kRuns = 100, kOrbits = 300;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    std::vector<LeavingOrbit> power, decay;
+    for (std::uint64_t i = 0; i < kOrbits; ++i) {
+      power.push_back({std::floor(4 / unit(seed, i)), 1, true});
+      decay.push_back({std::floor(std::log(unit(seed, i)) / std::log(0.9)), 1, true});
+    }
+    powers += survival(power).law == Survival::Law::exponential ? 1 : 0;
+    rates += survival(decay).law == Survival::Law::exponential ? 1 : 0;
+    decay.back() = {300, 1, true};  // where 300 * 0.9^300 orbits are to be left
+    outlasted += survival(decay).law == Survival::Law::exponential ? 1 : 0;
+  }
+  EXPECT_LE(powers, kRuns / 20);
+  EXPECT_GE(rates, kRuns * 3 / 4);
+  EXPECT_EQ(outlasted, 0);
+}
+
 // Sinai's room with a hole loses most orbits exponentially; those that fly up and down beside the disc stay.
 TEST(Remarks, SinaisRoomWithAHoleHasNoRate) {
   const Scene scene = scene_of(
