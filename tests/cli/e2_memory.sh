@@ -23,8 +23,16 @@ source "$(dirname "$0")/lib.sh"
   printf '[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\nvelocity = [1e-6, 0]\n'
   printf 'markov = { chain = "c", start = "A" }\nrepeat = { grid = { count = [10, 10], step = [1, 1] } }\n'
 } > chains.toml
-# What they took when it did grow: boxes 1400 MB and chains 600, instead of 97 and 76.
+# 500 curves that each have thousands of parts at this width.
+{
+  printf 'flatray = 1\nfilm = { size = [16, 12], world = "pixels" }\n[[entity]]\nshape = { bezier = { points = [[0, 0]'
+  awk 'BEGIN { for (i = 0; i < 500; i++) printf ", [%d, %g], [%d, %g], [%d, 0]", i, 1.5 - i % 2 * 3, i + 1, 1.5 - i % 2 * 3, i + 1 }'
+  printf '] } }\nstroke = { width = 1e6 }\n'
+} > wave.toml
+# What they took when it did grow: boxes 1400 MB, chains 600 and the wave 700, instead of 97, 76 and 20.
 limit_memory 300000
+run 4 render wave.toml -o wave.png -j 1 --max-corners 10000
+says err "draws more than 10000 corners"
 run 0 render boxes.toml -o boxes.png -j 1
 run 0 render chains.toml -f 200000 -o chains.png -j 1
 limit_memory 48000 # 26 MB, of which the program itself is 16

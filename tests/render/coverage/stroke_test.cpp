@@ -84,20 +84,6 @@ TEST(Strokes, MitersAtTheLimitAreKeptAtAllCornersOfATriangle) {
   }
 }
 
-// Of wide lines each leg that turns has thousands of parts.
-TEST(Strokes, AreNotLaidOutFarBeyondTheMostEdges) {
-  Chain wave{{{0, 0}}, false};
-  for (int k = 1; k <= 1000; ++k) {
-    wave.points.emplace_back(k, 0);
-    for (const double turn : {1.0, -1.0})
-      wave.ahead.push_back(unit({1, k % 2 == 0 ? turn : -turn}));
-  }
-  std::vector<Segment> edges;
-  add_line(wave, {1e6, LineJoin::round, LineCap::butt}, edges, 1000);
-  EXPECT_GT(edges.size(), 1000U);
-  EXPECT_LT(edges.capacity(), 100'000U);
-}
-
 TEST(Strokes, ADotHasItsCapsOrNothing) {
   const Chain dot{{{10, 10}, {10, 10}}};
   EXPECT_EQ(area_of(dot, {2, LineJoin::round, LineCap::butt}), 0);
