@@ -46,8 +46,11 @@ inline Pair<Near> within(const Vec2& point, const Vec2& reach) {
   return {Near::within(point.x(), reach.x()), Near::within(point.y(), reach.y())};
 }
 
-/// Any point of a box.
+/// Any point of a box; any at all where it ends at the largest double, for which what lies beyond is taken.
 inline Pair<Near> within(const Bounds& box) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  if (!(std::max(-box.low.minCoeff(), box.high.maxCoeff()) < kMost))
+    return within(Vec2(0, 0), Vec2(kInfinity, kInfinity));
   const Vec2 centre = box.centre();
   return within(centre, (box.high - centre).cwiseMax(centre - box.low));
 }

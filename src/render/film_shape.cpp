@@ -110,8 +110,8 @@ namespace {
 void add_counted(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
                  CornerBudget& budget) {
   const std::size_t begin = edges.size();
-  add_line(chain, style, edges, begin + budget.left);
-  budget.take(edges.size() - begin);
+  const bool whole = add_line(chain, style, edges, budget.left);
+  budget.take(whole ? edges.size() - begin : budget.left + 1);
 }
 
 // A line whose dashes are too fine to see, or would have too many corners, is drawn whole.

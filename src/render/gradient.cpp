@@ -22,8 +22,8 @@ LinearColour light_at(const Scene& scene, CurveId curve, double time) {
   return {light(0), light(1), light(2), static_cast<float>(alpha)};
 }
 
-// Between its ends no pixel lies where it is shorter than the least length: all others are as far off as
-// floats tell.
+// Shorter than kLeast_px it is taken as that long: every pixel centre but one at its origin then lies beyond
+// its ends.
 FilmGradient film_gradient(const Gradient& gradient, const Pose& world_from_shape,
                            const FilmTransform& film_from_world) {
   FilmGradient there;

@@ -10,7 +10,7 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kFew = 8;  // are looked at without cells
-constexpr double kCellsAWall = 2, kMostOfWalls = 0x1p22;
+constexpr double kCellsAWall = 2, kMostWallCells = 0x1p22;
 // Width and height of a wall in cells, on average: those that lie on one another, all as large as the grid, would pass
 // the root of all cells each.
 constexpr double kCellsAcross = 10;
@@ -36,7 +36,7 @@ void WallCells::divide() {
   const double larger = size.maxCoeff(),
                magnitude = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
   if (!(larger > kLeastSize && magnitude < kMostSize)) return;
-  const double wanted = std::min(kCellsAWall * static_cast<double>(count_), kMostOfWalls);
+  const double wanted = std::min(kCellsAWall * static_cast<double>(count_), kMostWallCells);
   const double narrow = std::max(size.minCoeff(), larger / wanted);
   side_ = std::max(std::sqrt(narrow / wanted * larger), larger * 0x1p-20);
   side_ = std::max(side_, extents / kCellsAcross);

@@ -32,7 +32,7 @@ says out "only the first 4"
 if "$flatray" --version | grep -q "MPFR"; then
   run 0 orbit "$sinai" --ray one -n 60 --precision certified --csv
   (($(grep -c ',yes$' out.txt) == 60)) || fail "a certified orbit has bounces that are not"
-  # Lengths in the world are the same for directions of any length.
+  # Lengths in the world are the same for directions far longer and shorter.
   for far in 1e300 1e-300; do
     run 0 orbit "$hall" -D "ray.0.direction=[$far,$far]" --precision certified --csv
     last=$(tail -1 out.txt)

@@ -107,6 +107,20 @@ void expect_missed_where_passed(const Wall& wall, double scale) {
   EXPECT_GE(met, 10);
 }
 
+// Where a curve reaches beyond the doubles its box ends at the largest, and proves nothing.
+TEST(Flight, ACurveThatReachesBeyondTheDoublesIsNotPassedByItsBox) {
+  const Ray start{{1.79e308, -1.7e308}, {0.5, 1}};
+  for (const Ellipse& curve :
+       {Ellipse(Circle{{1.7e308, 0}, 1e308}), Ellipse({1.7e308, 0}, {1e308, 0}, {0, 0.9e308})}) {
+    Surfaces walls;
+    walls.add(Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}});
+    const PeriodicWalls periodic(walls, {});
+    const auto certain = [](double x) { return Certain(x, kMany); };
+    EXPECT_NE((Flight<Certain, decltype(certain)>(walls, periodic, start, certain).next().kind),
+              Prospect::Kind::escape);
+  }
+}
+
 TEST(Course, WhatPassesTheBoxOfAWallDoesNotMeetIt) {
   for (const double scale : {1.0, 0x1p-300, 0x1p300}) {
     const auto at = [&](double x, double y) { return Vec2(scale * x, scale * y); };
@@ -114,7 +128,7 @@ TEST(Course, WhatPassesTheBoxOfAWallDoesNotMeetIt) {
     expect_missed_where_passed(Segment{at(1, 2), at(1, 3)}, scale);
     const Ellipse curve(at(0.1, 0), at(3, 1), at(-0.5, 2));
     expect_missed_where_passed(Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}}, scale);
-    expect_missed_where_passed(Arc{curve, Arc::Extent::between, at(3, 1), at(-0.5, 2)}, scale);
+    expect_missed_where_passed(Arc{curve, Arc::Extent::between, at(6, 2), at(-1, 4)}, scale);
     expect_missed_where_passed(Bezier(at(0, 0), at(2, 3), at(4, -1), at(5, 1)), scale);
   }
 }

@@ -65,7 +65,7 @@ Orbit as_orbit(CertifiedOrbit exact, const Ray& start) {
   orbit.crossings = std::move(exact.crossings);
   double length = 0;
   for (const CertifiedOrbit::Bounce& one : exact.bounces) {
-    length += one.t * speed;
+    length += one.t < std::numeric_limits<double>::max() ? one.t * speed : kInfinity;
     orbit.bounces.push_back({one.surface, one.point, one.t, length, one.normal, speed * one.in,
                              speed * one.out, one.cell});
   }

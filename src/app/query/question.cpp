@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "base/counted.h"
 #include "base/entry_named.h"
 #include "geom/polygon.h"
 #include "geom/predicates.h"
@@ -321,7 +322,8 @@ std::string Question::mistakes() {
   known.insert(known.end(), {"id", "op"});
   check_fields({*this, &whole_, ""}, known);
   if (mistake_count_ <= kMostProblems) return mistakes_;
-  return fmt::format("{}; and {} more mistakes", mistakes_, mistake_count_ - kMostProblems);
+  return fmt::format("{}; and {} more", mistakes_,
+                     counted(mistake_count_ - kMostProblems, "mistake"));
 }
 
 }  // namespace flatray

@@ -53,12 +53,16 @@ class LineOutline {
     one_side(backward(legs));
   }
 
-  // Adds a leg, in parts where it turns by more than one chord may.
+  // More than one where a leg turns by more than one chord may.
+  int parts_of(const ChainLeg& leg) const {
+    if (is_one_chord(leg.from, leg.to, 0.25 * kCapSagitta_px)) return 1;
+    const double angle = std::fabs(angle_of(leg.from, leg.to));
+    return std::max(1, static_cast<int>(std::ceil(2 * chords_ * angle / kHalfTurn)));
+  }
   void add(const ChainLeg& leg, std::vector<ChainLeg>& legs) const {
-    if (is_one_chord(leg.from, leg.to, 0.25 * kCapSagitta_px)) return legs.push_back(leg);
+    const int parts = parts_of(leg);
+    if (parts == 1) return legs.push_back(leg);
     const double angle = angle_of(leg.from, leg.to);
-    const int parts =
-        std::max(1, static_cast<int>(std::ceil(2 * chords_ * std::fabs(angle) / kHalfTurn)));
     const auto at = [&](double i) -> Vec2 { return leg.a + i / parts * (leg.b - leg.a); };
     for (int i = 0; i < parts; ++i)
       legs.push_back({at(i), i + 1 < parts ? at(i + 1) : leg.b, i > 0 ? legs.back().to : leg.from,
@@ -179,20 +183,24 @@ std::vector<ChainLeg> legs_of(const Chain& chain) {
   return legs;
 }
 
-void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
+bool add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
               std::uint64_t most) {
-  if (chain.points.empty()) return;
-  const LineOutline outline(style, edges, most);
+  if (chain.points.empty()) return true;
+  const std::uint64_t begin = edges.size();
+  const LineOutline outline(style, edges, begin + most);
+  const std::vector<ChainLeg> whole = legs_of(chain);
+  std::uint64_t parts = 0;
+  for (const ChainLeg& leg : whole) parts += static_cast<std::uint64_t>(outline.parts_of(leg));
+  if (parts > most / 2) return false;  // each has an edge on either side
   std::vector<ChainLeg> legs;
-  for (const ChainLeg& leg : legs_of(chain)) {
-    outline.add(leg, legs);
-    if (2 * legs.size() > most) break;  // each has an edge on either side
-  }
+  legs.reserve(parts);
+  for (const ChainLeg& leg : whole) outline.add(leg, legs);
   if (legs.empty()) legs.push_back({chain.points[0], chain.points[0], {1, 0}, {1, 0}, 0});
   if (chain.closed && legs.size() > 1)
     outline.closed(legs);
   else
     outline.open(legs);
+  return edges.size() - begin <= most;
 }
 
 double line_reach(const LineStyle& style) {

@@ -47,11 +47,11 @@ struct LineStyle {
 /// Gives   rings that wind 1, 2, ... times round what the line covers. Joins whose miter is more
 ///         than miter_limit times the line's width are bevels.
 ///         What half the width adds to a leg that bends is within a quarter of kCapSagitta_px.
-///         Past `most` edges it ends at a leg, and is no outline.
+///         false where these would be more than `most` edges: what is added then is no outline.
 /// Cost    two edges a leg, and those of its joins; where a chain turns by so little that a bevel
 ///         stays within the sagitta, a round join is one edge.
-void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
-              std::uint64_t most = ~std::uint64_t{0});
+bool add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
+              std::uint64_t most = std::uint64_t{1} << 62);
 
 /// How far from its chain a line may reach: no rounding leads beyond.
 double line_reach(const LineStyle& style);

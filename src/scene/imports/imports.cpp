@@ -73,7 +73,7 @@ Result<Shape> Imports::outline(const SourcePtr& file, const Format& format, doub
   if (kept->second) return *kept->second;
   Diagnostics told;
   Result<Shape> shape = format.outline(file, {scale, centre, threads_}, is_first ? warnings : told);
-  if (shape && !is_first) kept->second = *shape;
+  if (!shape || !is_first) kept->second = shape;
   return shape;
 }
 

@@ -45,8 +45,9 @@ class Imports {
   std::filesystem::path root_;
   std::map<std::string, SourcePtr> files_;  ///< by path from the scene
   std::map<std::string, Scene> scenes_;     ///< by their own names
-  /// By file, format, scale and centre; kept from the second import on, as one alone needs no copy.
-  std::map<std::tuple<const SourceText*, const Format*, double, bool>, std::optional<Shape>>
+  /// By file, format, scale and centre; kept from the second import on, as one alone needs no copy, and
+  /// where it is wrong.
+  std::map<std::tuple<const SourceText*, const Format*, double, bool>, std::optional<Result<Shape>>>
       outlines_;
 };
 

@@ -9,7 +9,7 @@
 
 namespace flatray {
 
-/// Of a file of lines so many mistakes are told.
+/// Of a file of lines, or a question, so many mistakes are told.
 inline constexpr std::size_t kMostProblems = 20;
 
 /// How an outline is laid before it becomes a shape.

@@ -103,11 +103,10 @@ Survival looked_at(const FallingCurve& curve, std::size_t start, double design_e
   found.power_rest = power.rest / design_effect;
   found.freedom = static_cast<double>(tail.size() - 1);
   const double most = chi_squared_95(found.freedom);
-  // One that stays longer than a law has it hardly adds to the squares of a stretch.
-  const double last = static_cast<double>(curve.gone.size()) - 1;
-  const bool outlasted =
-      curve.there[start] * portable::exp(-found.rate * (last - found.start)) < kHardlyEver;
-  const bool fits = found.rate_rest <= most && !outlasted;
+  found.last = static_cast<double>(curve.gone.size()) - 1;
+  found.left_then = curve.there[start] * portable::exp(-found.rate * (found.last - found.start));
+  found.outlasted = found.left_then < kHardlyEver;
+  const bool fits = found.rate_rest <= most && !found.outlasted;
   if (fits && found.power_rest > kClearly * most) found.law = Survival::Law::exponential;
   if (!fits && found.power_rest <= most && found.freedom >= kFreedomOfPower)
     found.law = Survival::Law::power;
@@ -118,6 +117,7 @@ Survival looked_at(const FallingCurve& curve, std::size_t start, double design_e
 bool contradicts(const Survival& later, Survival::Law first) {
   using Law = Survival::Law;
   const double rest = first == Law::exponential ? later.rate_rest : later.power_rest;
+  if (first == Law::exponential && later.outlasted) return true;
   return first != Law::undecided && rest > kClearly * chi_squared_95(later.freedom);
 }
 

@@ -23,12 +23,16 @@ struct Survival {
   double rate = 0, power = 0;  ///< of the two fits from `start` on
   /// Squares of what either leaves, in variances; under 1 a degree of freedom where it fits.
   double rate_rest = 0, power_rest = 0;
-  double freedom = 0;  ///< of either; 0 where there are too few orbits for fits at all
+  double freedom = 0;      ///< of either; 0 where there are too few orbits for fits at all
+  double last = 0;         ///< bounces after which the last orbit of all is gone or given up
+  double left_then = 0;    ///< orbits that the rate has left then
+  bool outlasted = false;  ///< that are too few for one to be there: no rate, whatever the rest
 };
 
 /// Both laws are fitted to the tail from 1, 2, 3, 4, 6, 8, 12, ... bounces on, as long as a hundred
 /// orbits are left, and tested by chi-squared in stretches of 25 and more. The first start from
-/// which one of them fits decides, unless a later one is clearly not of it. What falls like a power
+/// which one of them fits decides, unless a later one is clearly not of it. No rate fits that has less
+/// than a thousandth of an orbit left when the last one is gone: squares hardly see it. What falls like a power
 /// is soon like an exponential for a few orbits: that is decided only where a power leaves twice
 /// what it may. What falls exponentially is like a power until its starts are forgotten: that is
 /// decided only of six stretches and more.

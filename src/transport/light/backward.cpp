@@ -18,8 +18,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr std::uint64_t kParts = 16;  // independent, each with a net of its own
 constexpr std::size_t kPixels = 64;   // that a thread takes at a time
 constexpr std::uint64_t kRound = 64;  // paths of a pixel followed at once, a multiple of kParts
-constexpr std::size_t kLooksAtOnce = 1U << 16;  // at once
-constexpr double kFaint = 0.1;                  // of the weight of a path that sets off
+constexpr std::size_t kLooksAtOnce = 1U << 16;
+constexpr double kFaint = 0.1;  // of the weight of a path that sets off
 
 // A path on its way from a pixel to lamps.
 struct Path {

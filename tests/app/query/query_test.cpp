@@ -83,11 +83,11 @@ TEST(Query, OfManyMistakesTwentyAreTold) {
   const std::string unknown =
       answer("{" + fields + R"("op":"nearest","walls":[],"origin":[0,0],"direction":[1,0]})");
   EXPECT_EQ(told(unknown, "is not a field of this question"), 20U);
-  EXPECT_NE(unknown.find("; and 10 more mistakes\"}"), std::string::npos) << unknown;
+  EXPECT_NE(unknown.find("; and 10 mistakes more\"}"), std::string::npos) << unknown;
   const std::string wrong =
       answer(R"({"op":"nearest","walls":[)" + walls + R"(],"origin":[0,0],"direction":[1,0]})");
   EXPECT_EQ(told(wrong, "walls["), 20U);
-  EXPECT_NE(wrong.find("; and 10 more mistakes\"}"), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find("; and 10 mistakes more\"}"), std::string::npos) << wrong;
 }
 
 // An ellipse of half-diameters 3 and 2, and the parabola y = x^2.

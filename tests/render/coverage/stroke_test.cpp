@@ -84,6 +84,17 @@ TEST(Strokes, MitersAtTheLimitAreKeptAtAllCornersOfATriangle) {
   }
 }
 
+// Points that film coordinates round to one make legs without edges: nothing is cut off without a word.
+TEST(Strokes, AreWholeOrSaidNotToBe) {
+  Chain dense{{{0, 0}}};
+  for (int k = 1; k <= 6000; ++k) dense.points.emplace_back(k * 0x1p-18, 0);
+  dense.points.emplace_back(2048, 2048);
+  std::vector<Segment> some, all;
+  EXPECT_FALSE(add_line(dense, {5e11, LineJoin::round, LineCap::butt}, some, 10'000));
+  EXPECT_TRUE(add_line(dense, {5e11, LineJoin::round, LineCap::butt}, all, 20'000));
+  EXPECT_LE(all.size(), 20'000U);
+}
+
 TEST(Strokes, ADotHasItsCapsOrNothing) {
   const Chain dot{{{10, 10}, {10, 10}}};
   EXPECT_EQ(area_of(dot, {2, LineJoin::round, LineCap::butt}), 0);
