@@ -1,6 +1,7 @@
 #include "transport/orbit_tracer.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/philox.h"
@@ -32,7 +33,10 @@ struct OrbitTracer::Flight {
   Vec2 entry{0, 0};             // to which the first of them led
   bool circles = false;         // came back there: it does so for ever
 
-  double path_length() const { return (time.hi + time.lo) * speed.length(); }
+  double path_length() const {  // a t beyond the largest double is that
+    const double t = time.hi + time.lo;
+    return t < std::numeric_limits<double>::max() ? t * speed.length() : kInfinity;
+  }
 };
 
 class OrbitTracer::Wave {

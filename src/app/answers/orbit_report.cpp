@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "app/report/report.h"
 #include "base/counted.h"
@@ -59,13 +60,21 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
                                        : "free";
 }
 
+// Of a flight to the next bounce; by its ends where its t is beyond the doubles.
+double flight_length(const Orbit& orbit, double t, const Vec2& to, double speed) {
+  if (t < std::numeric_limits<double>::max()) return t * speed;
+  if (std::ranges::count(orbit.crossings, orbit.bounces.size(), &Crossing::bounces) > 0)
+    return kInfinity;
+  return size_of(to - (orbit.bounces.empty() ? orbit.start : orbit.bounces.back().point));
+}
+
 Orbit as_orbit(CertifiedOrbit exact, const Ray& start) {
   const double speed = Speed(start.direction).length();
   Orbit orbit{static_cast<OrbitStop&>(exact), start.origin, start.direction};
   orbit.crossings = std::move(exact.crossings);
   double length = 0;
   for (const CertifiedOrbit::Bounce& one : exact.bounces) {
-    length += one.t < std::numeric_limits<double>::max() ? one.t * speed : kInfinity;
+    length += flight_length(orbit, one.t, one.point, speed);
     orbit.bounces.push_back({one.surface, one.point, one.t, length, one.normal, speed * one.in,
                              speed * one.out, one.cell});
   }

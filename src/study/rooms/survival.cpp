@@ -106,8 +106,9 @@ Survival looked_at(const FallingCurve& curve, std::size_t start, double design_e
   found.last = static_cast<double>(curve.gone.size()) - 1;
   found.left_then = curve.there[start] * portable::exp(-found.rate * (found.last - found.start));
   found.outlasted = found.left_then < kHardlyEver;
-  const bool fits = found.rate_rest <= most && !found.outlasted;
-  if (fits && found.power_rest > kClearly * most) found.law = Survival::Law::exponential;
+  const bool fits = found.rate_rest <= most;
+  if (fits && !found.outlasted && found.power_rest > kClearly * most)
+    found.law = Survival::Law::exponential;
   if (!fits && found.power_rest <= most && found.freedom >= kFreedomOfPower)
     found.law = Survival::Law::power;
   return found;

@@ -172,6 +172,20 @@ TEST(Remarks, OrbitsThatOutlastARateRefuteIt) {
   EXPECT_EQ(outlasted, 0);
 }
 
+// Nor does it make a power of what squares tell to be none.
+TEST(Remarks, OneThatOutlastsARateIsTold) {
+  const Scene scene = scene_of(
+      "film = { size = [8, 8], world = [[-0.05, -0.05], [1.05, 1.05]] }\n"
+      "[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n"
+      "holes = [{ edge = 0, from = 0.3, to = 0.45 }]\n"
+      "pillars = [{ shape = { circle = { centre = [0.5, 0.5], radius = 0.25 } } }]\n");
+  for (const std::uint64_t seed : {13, 28, 88}) {
+    const std::string told = run("escape", {.scene = scene, .seed = seed, .count = 1000}).summary;
+    EXPECT_NE(told.find("after which the rate leaves"), std::string::npos) << told;
+    EXPECT_EQ(told.find("there is no rate"), std::string::npos) << told;
+  }
+}
+
 // Sinai's room with a hole loses most orbits exponentially; those that fly up and down beside the disc stay.
 TEST(Remarks, SinaisRoomWithAHoleHasNoRate) {
   const Scene scene = scene_of(
