@@ -19,7 +19,7 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # the time, and those of `study` folder by folder; whoever changes one file again and again may turn it off.
 option(FLATRAY_UNITY "compile several sources of most modules and of the tests as one" ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
-if(FLATRAY_SANITIZE)  # takes a sixth less CPU to compile; what is inlined matters less
+if(FLATRAY_SANITIZE)  # compiled sooner, and what is inlined matters less
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
 endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
