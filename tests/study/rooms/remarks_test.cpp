@@ -179,7 +179,7 @@ TEST(Remarks, OneThatOutlastsARateIsTold) {
       "[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n"
       "holes = [{ edge = 0, from = 0.3, to = 0.45 }]\n"
       "pillars = [{ shape = { circle = { centre = [0.5, 0.5], radius = 0.25 } } }]\n");
-  for (const std::uint64_t seed : {13, 28, 88}) {
+  for (const std::uint64_t seed : {13U, 28U, 88U}) {
     const std::string told = run("escape", {.scene = scene, .seed = seed, .count = 1000}).summary;
     EXPECT_NE(told.find("after which the rate leaves"), std::string::npos) << told;
     EXPECT_EQ(told.find("there is no rate"), std::string::npos) << told;
