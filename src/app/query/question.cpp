@@ -227,7 +227,7 @@ bool Question::has(std::string_view name) const { return whole_.find(name) != nu
 
 QuestionPart Question::find(std::string_view name) {
   asked_.emplace_back(name);
-  const QuestionPart part{*this, whole_.find(name), std::string(name)};
+  QuestionPart part{*this, whole_.find(name), std::string(name)};
   if (!part) part.mistake("is missing");
   return part;
 }
