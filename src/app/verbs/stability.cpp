@@ -130,9 +130,7 @@ struct Options : StabilityRequest {
     for (const char* other : {"families", "count", "tiers"})
       if (row.has(other) && !(pairs && std::string_view(other) == "families"))
         row.problem(other, "is about the families of inputs", "leave it out");
-    if (row.has("catalogue") && row.has("seed"))
-      row.problem("seed", "does not go with --catalogue, whose cases are the same for ever",
-                  "leave it out");
+    row.excludes("catalogue", {"seed"});  // its cases are the same for ever
     row.excludes("pairs", {"tracer"});
     if (scene_given && row.has("tracer"))
       row.problem("tracer", "does not go with a scene", "leave it out");

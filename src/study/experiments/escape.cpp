@@ -131,14 +131,14 @@ class Basins {
       return of + fmt::format("like (n + 1)^-{:.3g}: there is no rate", survival_.power);
     const double most = chi_squared_95(survival_.freedom);
     const bool neither =
-        (survival_.rate_rest > most || survival_.outlasted) && survival_.power_rest > most;
+        (survival_.rate_rest > most || survival_.outlasted()) && survival_.power_rest > most;
     return of + fmt::format("like {}e^(-{:.4g} n) {} (n + 1)^-{:.4g}{}{}",
                             neither ? "neither " : "", survival_.rate, neither ? "nor" : "or",
                             survival_.power, neither ? "" : ": undecided", outlasting_words());
   }
 
   std::string outlasting_words() const {
-    if (!survival_.outlasted) return "";
+    if (!survival_.outlasted()) return "";
     return fmt::format("; one stays for {:.0f} bounces, after which the rate leaves {:.2g}",
                        survival_.last, survival_.left_then);
   }

@@ -15,7 +15,6 @@ constexpr double kLeastTail = 100, kLeastGone = 25;  // orbits of a tail, of a s
 constexpr std::size_t kLeastStretches = 3;           // to tell one law from the other
 constexpr double kFreedomOfPower = 5;  // as what is left of the starts is soon like a power
 constexpr double kClearly = 2;         // times what chi-squared has in one run of twenty
-constexpr double kHardlyEver = 1e-3;   // so few orbits are to be left at most where one is
 constexpr double kLifetimes = 5;       // after which less than one in a hundred is left
 constexpr int kHalvings = 200;
 
@@ -105,9 +104,8 @@ Survival looked_at(const FallingCurve& curve, std::size_t start, double design_e
   const double most = chi_squared_95(found.freedom);
   found.last = static_cast<double>(curve.gone.size()) - 1;
   found.left_then = curve.there[start] * portable::exp(-found.rate * (found.last - found.start));
-  found.outlasted = found.left_then < kHardlyEver;
   const bool fits = found.rate_rest <= most;
-  if (fits && !found.outlasted && found.power_rest > kClearly * most)
+  if (fits && !found.outlasted() && found.power_rest > kClearly * most)
     found.law = Survival::Law::exponential;
   if (!fits && found.power_rest <= most && found.freedom >= kFreedomOfPower)
     found.law = Survival::Law::power;
@@ -118,7 +116,7 @@ Survival looked_at(const FallingCurve& curve, std::size_t start, double design_e
 bool contradicts(const Survival& later, Survival::Law first) {
   using Law = Survival::Law;
   const double rest = first == Law::exponential ? later.rate_rest : later.power_rest;
-  if (first == Law::exponential && later.outlasted) return true;
+  if (first == Law::exponential && later.outlasted()) return true;
   return first != Law::undecided && rest > kClearly * chi_squared_95(later.freedom);
 }
 

@@ -23,10 +23,12 @@ struct Survival {
   double rate = 0, power = 0;  ///< of the two fits from `start` on
   /// Squares of what either leaves, in variances; under 1 a degree of freedom where it fits.
   double rate_rest = 0, power_rest = 0;
-  double freedom = 0;      ///< of either; 0 where there are too few orbits for fits at all
-  double last = 0;         ///< bounces after which the last orbit of all is gone or given up
-  double left_then = 0;    ///< orbits that the rate has left then
-  bool outlasted = false;  ///< that are too few for one to be there: no rate, whatever the rest
+  double freedom = 0;            ///< of either; 0 where there are too few orbits for fits at all
+  double last = 0;               ///< bounces after which the last orbit of all is gone or given up
+  double left_then = kInfinity;  ///< orbits that the rate has left then
+
+  /// Whether these are too few for one to be there: no rate, whatever the rest.
+  bool outlasted() const { return left_then < 1e-3; }
 };
 
 /// Both laws are fitted to the tail from 1, 2, 3, 4, 6, 8, 12, ... bounces on, as long as a hundred

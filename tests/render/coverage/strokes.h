@@ -1,4 +1,5 @@
 #pragma once
+#include "render/coverage/chains.h"
 #include "render/coverage/stroke.h"
 #include "render/coverage_families.h"
 
