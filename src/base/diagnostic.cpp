@@ -86,12 +86,13 @@ std::string format(const Diagnostic& diagnostic, const char* severity) {
   if (!where || where.source->text().empty()) {
     const std::string name = where ? shown_text(where.source->name()) + ": " : "";
     const std::string tail = hint.empty() ? "" : fmt::format("\n    {}", shown_text(hint));
-    return fmt::format("{}{}: {}{}\n{}", name, severity, shown_text(message), tail,
+    return fmt::format("{}{}: {}{}\n{}", name, severity, shown_text(shortened(message)), tail,
                        where ? named_from(where) : "");
   }
   const SourceText::Position at = where.source->position(where.offset);
   return fmt::format("{}:{}:{}: {}: {}\n{}{}", shown_text(where.source->name()), at.line, at.column,
-                     severity, shown_text(message), excerpt(where, at, hint), named_from(where));
+                     severity, shown_text(shortened(message)), excerpt(where, at, hint),
+                     named_from(where));
 }
 
 std::string format(const Diagnostics& diagnostics, const char* severity) {

@@ -82,6 +82,14 @@ std::string shown_lines(std::string text) {
   return plain ? std::move(text) : shown(text, true);  // most are, and may be long
 }
 
+std::string shortened(std::string_view message) {
+  constexpr std::size_t kMost = 4000;
+  if (message.size() <= kMost) return std::string(message);
+  std::size_t end = kMost;
+  while (end > kMost - 3 && (byte(message[end]) & 0xc0) == 0x80) --end;  // within a character
+  return std::string(message.substr(0, end)) + "...";
+}
+
 std::string with_stray_bytes_shown(std::string_view text) {
   std::string all;
   for (;;) {

@@ -24,6 +24,18 @@ TEST(ShownText, StrayBytesAreShownAndNothingElse) {
   EXPECT_EQ(with_stray_bytes_shown(""), "");
 }
 
+TEST(ShownText, OfALongMessageTheBeginningIsKept) {
+  const std::string most(4000, 'a');
+  EXPECT_EQ(shortened(most), most);
+  EXPECT_EQ(shortened(most + "b"), most + "...");
+  for (std::size_t ahead = 0; ahead <= 4; ++ahead) {  // no character is cut
+    std::string text(4000 - ahead, 'a');
+    const std::string kept = text;
+    text += "\xf0\x9f\x99\x82";
+    EXPECT_EQ(shortened(text + "b"), (ahead == 4 ? text : kept) + "...");
+  }
+}
+
 TEST(ShellWord, QuotesStandWhereAShellWouldReadMore) {
   for (const char* plain : {"scenes/demo.toml", "-f", "a,b:c+d@e%f", "\xc3\xbcml.toml"})
     EXPECT_EQ(shell_word(plain), plain);

@@ -36,7 +36,7 @@ refused box.toml "is an input" accuracy box.toml --profile box.toml --budget 0.1
 refused b.png "is an input" compare a.png b.png --diff b.png
 refused a.png "is an input" compare a.png b.png --diff ./mine/../a.png
 refused two/a.png "is an input" compare one two --diff two
-for name in d.jpg -; do
+for name in d.jpg - .png; do
   run 2 compare a.png b.png --diff "$name"
   says err "'$name' does not end in .png"
   absent "./$name"

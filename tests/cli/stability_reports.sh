@@ -33,6 +33,12 @@ run 2 stability box.toml --tracer grid
 says err "does not go with a scene"
 run 2 stability --catalogue --seed 7
 says err "does not go with --catalogue"
+for of_scene in "-D seed=1" "--max-entities 5" "--max-bytes 9999"; do
+  # shellcheck disable=SC2086  # two words
+  run 2 stability --families vertex --count 1 --tracer brute $of_scene
+  says err "is about a scene, and none is given"
+done
+FLATRAY_MAX_ENTITIES=5 run 0 stability --families vertex --count 1 --tracer brute  # said for all commands
 run 3 stability none.toml
 scene fast.toml 1 '[[ray]]' 'name = "r"' 'at = [0, 0]' 'direction = [1, 1]' 'speed = 5'
 "$flatray" stability fast.toml > out.txt 2> err.txt && fail "a ray with a speed among walls that stand still"

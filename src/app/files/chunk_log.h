@@ -27,8 +27,7 @@ struct Chunks {
 
 /// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. Of two
 /// rows of a chunk that of more rays counts. A last row without its end, as a full disk leaves it,
-/// does not count; an older file gets the present columns, empty in its rows, with its next row. The
-/// last column is a hash of the row.
+/// does not count. The last column is a hash of the row.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {
@@ -47,13 +46,12 @@ class ChunkLog {
     const char* file;
     std::span<const char* const> counts;
     std::size_t before_seconds;
-    std::span<const std::size_t> widths;  ///< counts of rows as written now, and as before
     bool (*possible)(const Key& key, const Row& row);  ///< whether a run may have counted so
     const char* note = nullptr;
   };
 
   /// The rows that are in `folder`, or none without a folder. Writes nothing.
-  /// Error   Trouble::output; naming the line where a row is not what add() writes, or wrote, or
+  /// Error   Trouble::output; naming the line where a row is not what add() writes, or
   ///         what no run can have counted.
   static Result<ChunkLog> open(const Format& format, const std::optional<std::string>& folder,
                                const Outputs& outputs);
@@ -65,7 +63,6 @@ class ChunkLog {
   }
   std::size_t size() const { return rows_.size(); }
   /// `each(row)` of chunks 0 to `chunks` - 1 that are there, in order, whatever the chunk of `key`.
-  /// Counts that rows did not have when one was written are missing.
   /// Cost    of the rows that are there.
   template <class Each>
   void for_each(Key key, std::uint64_t chunks, const Each& each) const {
@@ -85,15 +82,12 @@ class ChunkLog {
  private:
   explicit ChunkLog(const Format& format) : format_(format) {}
   void keep(const Key& key, Row row);
-  std::string header(std::size_t counts) const;
-  std::string head() const { return header(format_.counts.size()) + ",check"; }
-  std::string padded(std::string_view line) const;
+  std::string head() const;
   std::optional<std::pair<Key, Row>> read_row(std::string_view line) const;
-  Result<std::string> read(const std::string& text);
+  Result<void> read(const std::string& text);
 
   Format format_;
   std::optional<Journal> journal_;  ///< none where nothing is kept
-  bool old_ = false;                ///< with columns of before
   std::map<Key, Row> rows_;
 };
 

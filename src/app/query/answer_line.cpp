@@ -49,7 +49,7 @@ Answer answer_line(std::string_view line, const Precision& precision) {
     if (std::string what = question.mistakes(); !what.empty()) return mistake(id, std::move(what));
     return as_line(id, std::move(answer), true);
   }
-  return mistake(id, unknown_op(*name));
+  return mistake(id, unknown_op(shortened(*name)));
 }
 
 }  // namespace flatray

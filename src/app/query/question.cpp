@@ -6,6 +6,7 @@
 
 #include "base/counted.h"
 #include "base/entry_named.h"
+#include "base/shown_text.h"
 #include "geom/polygon.h"
 #include "geom/predicates.h"
 #include "scene/outlines/arcs.h"
@@ -314,7 +315,7 @@ Surfaces Question::walls(std::string_view name) {
 void Question::mistake(std::string_view where, std::string_view what) {
   if (++mistake_count_ > kMostProblems) return;
   if (!mistakes_.empty()) mistakes_ += "; ";
-  mistakes_ += fmt::format("{}: {}", where, what);
+  mistakes_ += shortened(fmt::format("{}: {}", where, what));
 }
 
 std::string Question::mistakes() {

@@ -18,7 +18,6 @@
 #include "image/metric.h"
 #include "image/picture_format.h"
 #include "image/png.h"
-#include "scene/reading/format.h"
 
 namespace flatray::compare_verb {
 namespace {
@@ -236,8 +235,11 @@ Result<VerbOutput> run(const Options& options) {
   if (const auto root = options.text("root")) {  // links below the folders may lead out of it
     FLATRAY_TRY(inside, expect_in_root(*root, files));
   }
+  const auto is_png = [](const PictureFormat* format) {
+    return format != nullptr && format->name == std::string_view("png");
+  };
   if (options.diff && all.size() == 1 && all[0].name.empty() &&
-      extension_of(options.diff->string()) != "png")
+      !is_png(picture_format_by_name(*options.diff)))
     return usage_error(named_place("--diff"),
                        "'" + shown_text(options.diff->string()) + "' does not end in .png",
                        "the difference is written as a PNG");

@@ -125,6 +125,10 @@ struct Options : StabilityRequest {
         return row.problem(other, "does not go with " + what, "leave one of them out");
       what = "--" + std::string(other);
     }
+    for (const char* one :
+         {"define", "max-pixels", "max-entities", "max-corners", "max-depth", "max-bytes"})
+      if (!scene_given && row.is_asked(one))
+        row.problem(one, "is about a scene, and none is given", "leave it out, or name a scene");
     if (!leaks && row.has("places")) row.problem("places", "is about --leaks", "leave it out");
     if (what.empty()) return;
     for (const char* other : {"families", "count", "tiers"})
@@ -173,7 +177,7 @@ Result<VerbOutput> run_pairs(const Options& options) {
   return stability_output(std::move(table), wrong == 0);
 }
 
-// Part of a whole, of that which was counted: chunks of before have fewer counts.
+// Part of a whole; unknown where a run was stopped before its first chunk.
 JsonValue share(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return "unknown";
   const double exact = static_cast<double>(part) / static_cast<double>(whole);
@@ -192,10 +196,6 @@ std::string range_of_times(const StabilityLog& log, const ChunkLog::Key& key,
   if (times.size() < 2) return "unknown";
   const auto [least, most] = std::minmax_element(times.begin(), times.end());
   return fmt::format("{:.3g}..{:.3g}", *least, *most);
-}
-
-JsonValue known(const StabilityTally& tally, std::uint64_t ulps) {
-  return tally.timed == tally.rays ? JsonValue(ulps) : JsonValue("unknown");
 }
 
 Result<VerbOutput> run_families(const Options& options) {
@@ -224,11 +224,10 @@ Result<VerbOutput> run_families(const Options& options) {
       const StabilityTally sum = log->sum(key, chunks.number());
       wrong += sum.wrong + sum.off_by_more;
       table.add({family.name, key.tracer, key.isa, sum.rays, sum.hits, sum.wrong, sum.missed,
-                 sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
-                 known(sum, sum.worst_ulps), known(sum, sum.most_ulps()),
-                 share(sum.one_by_one, sum.watched), share(sum.nanoseconds, sum.timed),
-                 range_of_times(*log, key, chunks.number()), share(sum.bytes, sum.objects),
-                 sum.first_wrong});
+                 sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more, sum.worst_ulps,
+                 sum.most_ulps(), share(sum.one_by_one, sum.watched),
+                 share(sum.nanoseconds, sum.timed), range_of_times(*log, key, chunks.number()),
+                 share(sum.bytes, sum.objects), sum.first_wrong});
     }
   }
   return stability_output(std::move(table), wrong == 0);

@@ -90,6 +90,16 @@ TEST(Query, OfManyMistakesTwentyAreTold) {
   EXPECT_NE(wrong.find("; and 10 mistakes more\"}"), std::string::npos) << wrong;
 }
 
+TEST(Query, OfALongNameTheBeginningIsTold) {
+  const std::string name(100'000, 'k');
+  for (const std::string& line :
+       {R"({"op":"nearest",")" + name + R"(":0})", R"({"op":")" + name + R"("})"}) {
+    const std::string told = answer(line);
+    EXPECT_NE(told.find(std::string(3000, 'k')), std::string::npos);
+    EXPECT_LT(told.size(), 6000U);
+  }
+}
+
 // An ellipse of half-diameters 3 and 2, and the parabola y = x^2.
 TEST(Query, EllipsesAndBezierCurvesAreWalls) {
   const auto nearest = [](const std::string& wall, const std::string& ray) {
