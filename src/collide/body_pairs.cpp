@@ -105,19 +105,20 @@ std::optional<double> BodyPairs::least_wait(const IndexPair& pair, double time, 
 }
 
 std::optional<Hit> BodyPairs::meeting(const IndexPair& pair, double time, double end,
-                                      bool pass) const {
+                                      Overlap overlap) const {
   std::optional<Hit> found;
   bool overlaps = false;
   each_contact(pair, time, kLine, [&](const Contact& met, const auto& a, const auto& b, Touch at) {
     if (met.times.kind != HitClass::through || !met.first || !met.last) return;
     const double enter = met.times.t_enter, t = std::max(enter, 0.0);
     if (met.times.t_exit <= 0 || enter > end - time) return;
+    if (overlap == Overlap::glides && time + enter <= time) return;
     overlaps |= enter < 0;
     if (found && t > found->time) return;
     at.place = enter < 0 ? resting_place(a, b, 0) : contact_place(met.first, a, b, t);
     if (enter >= 0 || approach(at.place.normal, a.velocity, b.velocity)) add(found, t, at);
   });
-  if (overlaps && pass) return std::nullopt;
+  if (overlaps && overlap == Overlap::passed) return std::nullopt;
   return found;
 }
 

@@ -28,6 +28,13 @@ struct Hit {
   std::vector<Touch> touches{};
 };
 
+/// What becomes of two that lie in each other, or touch, at once.
+enum class Overlap : std::uint8_t {
+  meets,
+  glides,  ///< these parts do not meet, others may
+  passed   ///< not at all, as long as it is so
+};
+
 /// Whether b comes nearer to a against a normal out of a.
 bool approach(const Vec2& normal, const Vec2& a, const Vec2& b);
 
@@ -45,8 +52,8 @@ class BodyPairs {
   /// A time from `time` on before which they do not meet; none where they never do before `end`.
   std::optional<double> least_wait(const IndexPair& pair, double time, double end) const;
   /// When they meet, as seen from `time`. Two that lie in each other meet at once, where they come nearer
-  /// along the shortest way out; with `pass` they do not.
-  std::optional<Hit> meeting(const IndexPair& pair, double time, double end, bool pass) const;
+  /// along the shortest way out; or as `overlap` says.
+  std::optional<Hit> meeting(const IndexPair& pair, double time, double end, Overlap overlap) const;
   /// Whether two parts that have touched with this normal, and not parted along it since, would meet with
   /// that normal again.
   bool face(const Touch& touch, double time) const;

@@ -85,9 +85,12 @@ bool Instants::stop(std::span<const Hit> hits, Players& players, double time) {
     player.velocity = {0, 0};
     for (const Resting& by : held_[body])
       player.velocity = std::max(player.velocity, velocity(wall(by)), is_slower);
-    for (const auto& [touch, since] : held_[body])
-      if (approach(touch.place.normal, velocity(touch.pair.first), velocity(touch.pair.second)))
-        return false;
+    const double gently = kSlideLeaves * player.velocity.stableNorm();
+    for (const auto& [touch, since] : held_[body]) {
+      const Vec2 &normal = touch.place.normal, &a = velocity(touch.pair.first),
+                 &b = velocity(touch.pair.second);
+      if (approach(normal, a, b) && !(normal.dot(a - b) <= gently)) return false;
+    }
   }
   return true;
 }
@@ -166,8 +169,7 @@ void Instants::bounce(const Touch& touch, Players& players) const {
   Player &one = players.at(a), &other = players.at(b);
   const Vec2& normal = touch.place.normal;
   const double speed = normal.dot(one.velocity - other.velocity);
-  if ((does(a, Response::stop) || does(b, Response::stop)) && !(speed > 0))
-    return;  // as it stopped
+  if (!(speed > 0)) return;  // one has stopped, or they glide and the normal is rounded
   const auto [inverse_a, inverse_b] = inverse_masses(one.mass, other.mass);
   const double thrust = 2 * speed / (inverse_a + inverse_b);
   one.velocity -= thrust * inverse_a * normal;

@@ -213,6 +213,12 @@ class Run {
     std::ranges::push_heap(ahead_, std::less<>());
   }
 
+  // How many stages each of a pair has.
+  IndexPair stages_of(const IndexPair& pair) const {
+    return {static_cast<std::uint32_t>(stages_[pair.first].size()),
+            static_cast<std::uint32_t>(stages_[pair.second].size())};
+  }
+
   bool is_gone(std::uint32_t i) const { return stages_[i].back().gone; }
 
   // Since when neither of a pair has changed its way: from there their meeting is seen, however late
@@ -237,7 +243,12 @@ class Run {
   void look_closely(const Prospect& prospect) {
     const IndexPair pair = prospect.hit.pair;
     const double from = seen_from(pair);
-    std::optional<Hit> met = pairs_.meeting(pair, from, end_, left_alone_.count(pair) > 0);
+    const auto glides = gliding_.find(pair);
+    const Overlap overlap = left_alone_.count(pair) > 0 ? Overlap::passed
+                            : glides != gliding_.end() && glides->second == stages_of(pair)
+                                ? Overlap::glides
+                                : Overlap::meets;
+    std::optional<Hit> met = pairs_.meeting(pair, from, end_, overlap);
     if (!met) return;
     met->time += from;
     if (met->time <= while_from_ || met->time > while_to_) return;
@@ -250,10 +261,19 @@ class Run {
     if (!changes) return false;
     for (const Hit& hit : hits)  // as long as they overlap it is one meeting
       if (instants_.is_mark(hit.pair)) left_alone_.insert(hit.pair);
+    const auto goes_on = [&](std::uint32_t body) {
+      const auto change = changes->find(body);
+      return change == changes->end() ||
+             (!change->second.gone && change->second.velocity == stages_[body].back().velocity);
+    };
+    std::vector<IndexPair> gliding;
+    for (const Hit& hit : hits)
+      if (goes_on(hit.pair.first) && goes_on(hit.pair.second)) gliding.push_back(hit.pair);
     for (const auto& [body, change] : *changes) {
       stages_[body].push_back({now_, pairs_.place(body, now_), change.velocity, change.gone});
       near_.change(body, stages_[body].back());
     }
+    for (const IndexPair& pair : gliding) gliding_[pair] = stages_of(pair);
     for (const auto& changed : *changes)
       near_.each_near(changed.first, [&, body = changed.first](std::uint32_t k) {
         const bool told = k < body && changes->count(k) > 0;
@@ -278,8 +298,10 @@ class Run {
   std::size_t responding_ = 0;
   std::vector<IndexPair> overlaps_;  // at time 0
   std::set<IndexPair> left_alone_;   // marks and what they lie in
-  std::vector<Prospect> ahead_;      // a heap
-  std::size_t most_ahead_ = 0;       // until those that came to nothing are looked for
+  // Those that have met so gently that both go on as before, and the stages in which they do.
+  std::map<IndexPair, IndexPair> gliding_;
+  std::vector<Prospect> ahead_;  // a heap
+  std::size_t most_ahead_ = 0;   // until those that came to nothing are looked for
 };
 
 }  // namespace

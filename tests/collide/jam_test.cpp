@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "oracle/families.h"
 #include "simulated_bodies.h"
 
 namespace flatray {
@@ -38,6 +39,50 @@ TEST(Jams, WhatStopsIsTakenAlongAWallThatStands) {
   EXPECT_TRUE(done.complete);
   EXPECT_EQ(done.events.size(), 2U);
   EXPECT_EQ(done.stages[1].back().velocity, Vec2(1, 0));
+}
+
+// A slope that goes up along `way`, a block that stands on it from 15 to 16 of these, and a box on it.
+std::vector<SimulatedBody> on_slope(const Vec2& way, double from, const Vec2& velocity) {
+  const Vec2 up(-way.y(), way.x());
+  const ShapePart slope{{-9 * way, Vec2(20 * way.x(), -20 * way.y()), 20 * way}, 0};
+  const Vec2 foot = 15 * way + 0.25 * up;
+  const ShapePart block{{foot, foot + way, foot + way + 5 * up, foot + 5 * up}, 0};
+  return {{{slope, block}, {0, 0}, {0, 0}, kInfinity},
+          {{{{{0, 0}, way, way + up, up}, 0}}, from * way, velocity, 1}};
+}
+
+// Its normal is rounded, so that it comes nearer by less than a velocity has bits.
+TEST(Jams, WhatGlidesAlongASlopeIsNotJammed) {
+  oracle::Draw draw(53, 1, 0);
+  for (const Vec2& way : {Vec2(3, 1), Vec2(1, 3), Vec2(4, 3), Vec2(5, 2), Vec2(7, 3)})
+    for (int i = 0; i < 40; ++i) {
+      const double from = draw.unit(), speed = 1 + draw.unit();
+      const Simulation done =
+          simulate(on_slope(way, from, speed * way), Response::bounce, 14 / speed + 1);
+      ASSERT_TRUE(done.complete) << way.transpose() << " from " << from << " at " << speed;
+      EXPECT_LT(done.events.size(), 9U);
+      EXPECT_LT((done.stages[1].back().velocity + speed * way).norm(), 1e-9)
+          << "not turned by the block";
+    }
+}
+
+// Along a slope, up or down, with what is pushed and has stopped on it.
+TEST(Jams, WhatStopsIsTakenAlongASlope) {
+  for (const Vec2& way : {Vec2(3, 1), Vec2(1, 3), Vec2(4, 3), Vec2(5, 2), Vec2(7, 3)})
+    for (const double speed : {0.75, -0.75}) {
+      const Vec2 up(-way.y(), way.x());
+      std::vector<SimulatedBody> bodies = on_slope(way, 1, {0, 0});
+      bodies[0].parts.pop_back();  // without its block
+      bodies[1].at += up;
+      bodies[1].velocity = -0.5 * up;
+      bodies.push_back(bodies[1]);
+      bodies[2].mass = kInfinity;
+      bodies[2].at = (speed > 0 ? -3.0 : 5.0) * way + 0.125 * up;
+      bodies[2].velocity = speed * way;
+      const Simulation done = simulate(bodies, Response::stop, 9);
+      EXPECT_TRUE(done.complete) << way.transpose() << " at " << speed;
+      EXPECT_EQ(done.stages[1].back().velocity, speed * way);
+    }
 }
 
 std::vector<SimulatedBody> between_walls(double closing, double beside) {

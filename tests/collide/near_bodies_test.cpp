@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "collide/broad_phase.h"
 #include "oracle/families.h"
 #include "simulated_bodies.h"
 
@@ -68,10 +69,49 @@ TEST(NearBodies, AChangedWayIsMetAndWhatIsGoneIsNot) {
   std::vector<std::uint32_t> found;
   near.each_near(0, [&](std::uint32_t k) { found.push_back(k); });
   EXPECT_EQ(found, std::vector<std::uint32_t>{1});
+  found.clear();
+  near.each_near(1, [&](std::uint32_t k) { found.push_back(k); });
+  EXPECT_EQ(found, std::vector<std::uint32_t>{0});
   near.change(1, {2, {0, 50}, {0, 0}, true});
   found.clear();
   near.each_near(0, [&](std::uint32_t k) { found.push_back(k); });
   EXPECT_TRUE(found.empty());
+}
+
+// As they change their ways one by one, some far beyond where they were.
+TEST(NearBodies, ChangedWaysAreThoseThatBoxesTell) {
+  for (std::uint64_t item = 0; item < 20; ++item) {
+    CrowdedWorld bodies = world(item, 150);
+    NearBodies near(bodies.shapes);
+    near.open(0, 1, bodies.stages);
+    const CrowdedWorld later = world(100 + item, 150);
+    Draw draw(31, 3, item);
+    for (int changes = 0; changes < 100; ++changes) {
+      const auto body = static_cast<std::uint32_t>(150 * draw.unit());
+      near.change(body, later.stages[body].back());
+      const auto& [from, at, velocity, gone] = later.stages[body].back();
+      bodies.ways[body] =
+          swept({at + bodies.shapes[body].low, at + bodies.shapes[body].high}, velocity, 1);
+      std::set<std::uint32_t> found, meeting;
+      const auto asked = static_cast<std::uint32_t>(150 * draw.unit());
+      near.each_near(asked, [&](std::uint32_t k) { EXPECT_TRUE(found.insert(k).second); });
+      for (std::uint32_t k = 0; k < 150; ++k)
+        if (k != asked && bodies.ways[k].meets(bodies.ways[asked])) meeting.insert(k);
+      EXPECT_EQ(found, meeting) << item;
+    }
+  }
+}
+
+TEST(NearBodies, WhatPlaysNoPartMeetsNothing) {
+  const Bounds unit{{-0.5, -0.5}, {0.5, 0.5}},
+      all{{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
+  NearBodies near({all, {}, unit, {}});
+  const std::vector<Stage> stands{{0, {0, 0}, {0, 0}}};
+  const std::vector<Stage> stages[] = {stands, stands, stands, stands};
+  near.open(0, 1, stages);
+  Pairs found;
+  near.each_pair([&](const IndexPair& pair) { found.insert(pair); });
+  EXPECT_EQ(found, (Pairs{{0, 2}}));
 }
 
 // Both graze at a time at which the places of both are known to no more than how deep.
