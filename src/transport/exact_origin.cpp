@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/decide.h"
+#include "geom/pair.h"
 #include "transport/near_doubles.h"
 
 namespace flatray {
@@ -23,6 +25,17 @@ bool keeps_to_cone(const Wall& wall, const Vec2& point, PlaceOn cone) {
   if (cone == PlaceOn::at_end) return true;
   const PlaceOn place = place_in_cone(wall, point);
   return place == cone || (place == PlaceOn::at_end && !is_on_joints(wall, point));
+}
+
+// Whether a segment that a ray runs along begins before a place.
+bool begins_before(const Segment& wall, const Ray& ray, const Vec2& place) {
+  const auto is_ahead = [&](const Vec2& from, const Vec2& to) {
+    return decide([&](const auto& number) {
+             return dot(pair_of(number, to) - pair_of(number, from),
+                        pair_of(number, ray.direction));
+           }) == Sign::positive;
+  };
+  return is_ahead(wall.a, place) || is_ahead(wall.b, place);
 }
 
 // Of the wall hit, on which the point may not lie.
@@ -212,9 +225,11 @@ bool is_before(const Surfaces& walls, const Ray& ray, const NearestHit& hit, con
   const bool straight = walls.segment_slot(hit.surface) != kNoSurface;
   const double doubt = straight ? 0.5 : 0x1p-40;  // a curve may have been crossed twice
   if (!(std::fabs(hit.t - 1) < doubt)) return hit.t < 1;
+  const Sign from = inner_side(walls, ray, hit);
+  if (straight && from == Sign::zero) return begins_before(walls.segment(hit.surface), ray, place);
   const Sign there =
       walls.visit(hit.surface, [&](const auto& wall) { return side_of(wall, place); });
-  return there == -inner_side(walls, ray, hit);
+  return there == -from;
 }
 
 }  // namespace flatray

@@ -1,5 +1,6 @@
 // needs: shapes/circle shapes/arc views/visibility tracers/brute
 // Shadows of round walls that the point of a visibility view does not lie on.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "seen.h"
@@ -44,6 +45,26 @@ TEST(View, WhatEndsOnAWallIsLit) {
   for (const Vec2& point : {Vec2(0.3, 0.7), Vec2(0.37, 5.1), Vec2(0.41, 5.1), Vec2(0.17, 39.3)}) {
     const Image seen = view_of(scene, "visibility", point);
     for (int i = 0; i < 40; ++i) EXPECT_EQ(seen.at(i, i)[0], 255) << i;
+  }
+}
+
+// Along its line, up to its near end all is lit, and nothing behind it.
+TEST(View, AWallSeenAlongItselfHidesWhatIsBehindItsNearEnd) {
+  for (const Vec2& way : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1), Vec2(-1, 1)}) {
+    const Vec2 near = -3 * way, far = -5 * way;
+    const Scene scene = scene_of(fmt::format(
+        "flatray = 1\nfilm = {{ size = [17, 17], world = [[-8.5, -8.5], [8.5, 8.5]] }}\n"
+        "[[entity]]\nshape = {{ segment = {{ from = [{}, {}], to = [{}, {}] }} }}\n",
+        far.x(), far.y(), near.x(), near.y()));
+    for (const double from : {-2.0, 0.0, 5.0, 8.0}) {
+      const Image seen = view_of(scene, "visibility", from * way);
+      for (int i = -8; i <= 8; ++i) {
+        const Vec2 place = i * way;
+        const bool lit =
+            seen.at(8 + static_cast<int>(place.x()), 8 - static_cast<int>(place.y()))[0] == 255;
+        EXPECT_EQ(lit, i >= -3) << place.transpose() << " from " << from;
+      }
+    }
   }
 }
 
