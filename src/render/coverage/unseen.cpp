@@ -99,6 +99,7 @@ void add_lamps(const Scene& scene, const FrameState& state, std::span<const Lamp
   }
 }
 
+// Whether light does, as far as a few rays tell.
 bool reaches_film(const Scene& scene, const FrameState& state, std::uint64_t seed) {
   constexpr std::int64_t kWidth = 32, kMostSide = 65536;  // of a LightFilm
   const std::int64_t width = scene.film.width, height = scene.film.height;
@@ -109,9 +110,12 @@ bool reaches_film(const Scene& scene, const FrameState& state, std::uint64_t see
   small.light.rays = kTrialRays;
   small.light.scrambles = 1;
   small.light.bounces = std::min(scene.light.bounces, kTrialBounces);
-  const std::vector<std::int64_t> sums =
-      trace_frame_light(small, state, nullptr, seed, 1, nullptr).sums();
-  return std::any_of(sums.begin(), sums.end(), [](std::int64_t sum) { return sum > 0; });
+  small.light.estimator = LightEstimator::automatic;
+  const std::vector<double> fluence = frame_fluence(small, state, nullptr, seed, {});
+  if (std::ranges::any_of(fluence, [](double one) { return one > 0; })) return true;
+  // So few rays need not come to a small part of the room.
+  return !is_gathered(small, state) &&
+         shows_little(small, state, bounds_of(build_world(small, state).surfaces));
 }
 
 }  // namespace

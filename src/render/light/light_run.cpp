@@ -131,6 +131,13 @@ GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, co
                       {scene.light, seed, noise_frame(scene, state), threads, tracer, stop});
 }
 
+bool shows_little(const Scene& scene, const FrameState& state, const Bounds& room, double part) {
+  if (room.empty()) return false;
+  const FilmTransform film(scene.film, state);
+  return part * Vec2(film.scale() * room.size()).prod() >
+         kSmallPart * scene.film.width * scene.film.height;
+}
+
 bool is_gathered(const Scene& scene, const FrameState& state) {
   if (scene.light.estimator != LightEstimator::automatic)
     return scene.light.estimator == LightEstimator::backward;
@@ -143,9 +150,7 @@ bool is_gathered(const Scene& scene, const FrameState& state) {
     if (!walls_beside(lamp, world.surfaces).walls.empty()) return false;
     part = std::min(part, lamp.emitter->seen_part(all.size().stableNorm() / lamp.pose.scale));
   }
-  const FilmTransform film(scene.film, state);
-  return part * Vec2(film.scale() * all.size()).prod() >
-         kSmallPart * scene.film.width * scene.film.height;
+  return shows_little(scene, state, all, part);
 }
 
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "geom/ray.h"
+#include "geom/bounds.h"
 #include "render/light/light_error.h"
 #include "render/pass.h"
 #include "transport/light/backward.h"
@@ -45,6 +45,9 @@ TracedLight trace_frame_light(const Scene& scene, const FrameState& state, const
 /// Needs   why_not_backward() says nothing.
 GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
                                  std::uint64_t seed, unsigned threads, bool (*stop)());
+
+/// Whether a picture shows less than 1/2500 of `part` of a room.
+bool shows_little(const Scene& scene, const FrameState& state, const Bounds& room, double part = 1);
 
 /// Whether the light of a frame is followed from its pixels: asked for, or where the picture shows
 /// less than 1/2500 of the box around all walls, and no light would be missed.

@@ -147,6 +147,33 @@ TEST(Unseen, LightThatDoesNotComeToTheFilmIsTold) {
   EXPECT_NE(beam("0").at(0).find("no light is seen in frame 1"), std::string::npos);
 }
 
+// However small a part of the room is shown: a few rays from the lamp do not come there.
+TEST(Unseen, LightIsFoundInSmallViews) {
+  const auto told = [](double width, const std::string& material, const std::string& more,
+                       std::uint64_t seed) {
+    return unseen_in(
+        scene_of(fmt::format("flatray = 1\nfilm = {{ size = [6, 4], world = [[0, 0], [{}, {}]] }}\n"
+                             "[[lamp]]\nsource = {{ point = {{}} }}\nat = [5, 5]\n[[chamber]]\n"
+                             "shape = {{ box = {{ min = [-6, -6], max = [6, 6] }} }}\n"
+                             "material = {}\n{}",
+                             width, width * 2 / 3, material, more)),
+        seed);
+  };
+  const std::string diffuse = "{ diffuse = { reflectance = 0.6 } }";
+  for (const double width : {0.1, 0.01, 0.003, 0.001, 1e-5})
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      EXPECT_TRUE(told(width, diffuse, "", seed).empty()) << width;
+      EXPECT_TRUE(told(width, "\"mirror\"", "", seed).empty()) << width;
+      const Diagnostics dark =
+          told(width, diffuse,
+               "[[entity]]\nshape = { box = { min = [-1, -1], max = [1, 1] } }\n"
+               "material = \"absorb\"\nfill = \"none\"\n",
+               seed);
+      ASSERT_EQ(dark.size(), 1U) << width;
+      EXPECT_NE(dark.front().message.find("no light is seen"), std::string::npos);
+    }
+}
+
 TEST(Unseen, OfFilmsThatAreVeryTallIsAskedToo) {
   for (const int height : {2048, 2049, 65535})
     EXPECT_TRUE(unseen_in(scene_of(fmt::format(
