@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "base/float_mode.h"
+#include "flatray/float_mode.h"
 
 namespace flatray {
 

@@ -162,7 +162,9 @@ Result<void> check_complete(const Scene& scene, const Simulation& done, double l
                     (done.jam > done.until
                          ? fmt::format("{} meet faster and faster, without end before t = {:.6g}",
                                        jammed, done.jam)
-                         : fmt::format("{} find no way out at t = {}", jammed, done.jam)),
+                         : fmt::format("{} {} at t = {}", jammed,
+                                       done.too_often ? "meet again and again" : "find no way out",
+                                       done.jam)),
                 "give them a way out, or end the sequence before");
   const CollisionEvent& event = done.events.back();
   return fail(where,

@@ -118,8 +118,8 @@ class Run {
       if (!at_once) stands_from_ = now_;
       at_once_ = at_once ? at_once_ + hits.size() : 0;
       const bool full = done.events.size() == most_events;
-      done.jammed =
-          !full && (accumulates_ || at_once_ > kJamEvents * bodies_.size() || !respond(hits));
+      done.too_often = !full && !accumulates_ && at_once_ > kJamEvents * bodies_.size();
+      done.jammed = !full && (accumulates_ || done.too_often || !respond(hits));
       done.crowd = instants_.crowd();
       if (done.jammed) done.jam = accumulates_ ? accumulates_->time : now_;
       for (const Hit& hit : hits) {

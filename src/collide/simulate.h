@@ -22,6 +22,7 @@ struct SimulatedBody {
 struct Simulation : Responses {
   bool complete = true;      ///< false: as many events as were allowed came first, or
   bool jammed = false;       ///< there was no way out, or time stood still
+  bool too_often = false;    ///< the latter
   std::size_t crowd = 0;     ///< contacts at `jam` that were too many to find one; 0: few enough
   double until = kInfinity;  ///< time of the first event that is not told
   double jam = kInfinity;  ///< when there is no way out; later than `until`, about: hits accumulate

@@ -20,7 +20,10 @@ void append(void* bytes, void* data, int size) {
 // stb cuts mantissas off: of light that is a whole number of units of its pixel's exponent it loses nothing.
 void round_pixel(float* rgb) {
   const float most = std::max({rgb[0], rgb[1], rgb[2]});
-  if (most == 0) return;
+  if (most < 0x1p-128F) {  // below the least exponent
+    std::fill_n(rgb, 3, 0.0F);
+    return;
+  }
   int exponent = 0;
   std::frexp(most, &exponent);
   float unit = std::ldexp(1.0F, exponent - 8);

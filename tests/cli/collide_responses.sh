@@ -79,6 +79,17 @@ says out '"errors":[{"file":"jam.toml","line":4,'
 run 4 collide jam.toml --csv --response slide --fixed left --fixed right
 (($(wc -l < out.txt) == 2)) || fail "what slides is jammed when the second comes"
 says err "no way out at t = 2"
+# As many hits as pi has digits, nearly at one time: of two bodies more than are waited for.
+{
+  echo 'flatray = 1'
+  printf '%s\n' 'fps = 10' 'frames = 31' '[collisions]' 'response = "bounce"' '[[entity]]' 'name = "floor"' \
+    'shape = { box = { min = [-20, -1], max = [20, 0] } }' 'mass = "fixed"' '[[entity]]' 'name = "pebble"' \
+    'shape = { circle = { radius = 0.01 } }' 'at = [0, 0.01]' '[[entity]]' 'name = "crate"' \
+    'shape = { box = { min = [-10, 0], max = [10, 20] } }' 'at = [0, 5]' 'velocity = [0, -4]'
+} > pebble.toml
+run 4 collide pebble.toml
+says err "meet again and again at t = 1.24"
+run 0 collide pebble.toml -q -D 'entity.pebble.at=[0,0.0100001]'
 run 4 collide jam.toml --response bounce --fixed left --fixed right
 says err "--response: error: bodies are jammed"
 run 4 collide jam.toml -q --csv -D collisions.most=1

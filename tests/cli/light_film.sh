@@ -23,6 +23,12 @@ for to in v.png -; do
   grep -q 'same command' err.txt && fail "the same command goes on with $to"
 done
 
+# A film that is not to be resumed stays until there is another.
+run 0 render lamp.toml --rays 524288 -o kept.film --quiet
+cp kept.film before.film
+run 124 render lamp.toml --rays 100000000000 -o kept.film --max-seconds 3
+as_one before.film kept.film "a run that was stopped"
+
 # Threads, more rays, shards in any order; of three rounds of 262144 rays.
 run 0 render lamp.toml --rays 786432 -o all.film -j 1 --quiet
 for threads in 2 7; do

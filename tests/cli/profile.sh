@@ -15,6 +15,11 @@ grep -e schema -e centres box.profile > centres.profile
 run 0 render box.toml -o chosen.png --profile centres.profile --error "$error"
 says err "profile: pixel centres, error "
 cmp -s centre.png chosen.png || fail "pixel centres are chosen, and another picture drawn"
+# Of light it knows nothing, and says so.
+scene lamp.toml 1 '[light]' 'rays = 1' '[[lamp]]' 'source = { point = {} }' 'at = [1, 1]'
+run 0 accuracy lamp.toml -o lit --choice coverage --budget 0.2s --profile lamp.profile
+run 0 render lamp.toml -o lit.png --profile lamp.profile --time 1000
+says err "s a frame, both without light"
 # Several values of one option are a list; older profiles have the option's name again.
 run 0 render box.toml -o rows.png -D 'film.coverage="rows"' -D film.rows=16
 { head -1 box.profile; grep '"16 rays a row"' box.profile; } > rows.profile

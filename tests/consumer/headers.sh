@@ -30,5 +30,9 @@ for header in "${headers[@]}"; do
   [[ -z $finds ]] || fault "$name: names another library: $finds"
   echo "#include <$name>" | "$compiler" -std=c++20 -fsyntax-only -I "$include" -Wall -Wextra -Wpedantic -Wshadow \
     -Wconversion -Werror -x c++ - || fault "$name: does not compile alone"
+  if [[ $name != flatray/owned.h ]]; then
+    finds=$(echo "#include <$name>" | "$compiler" -std=c++20 -fsyntax-only -ffast-math -I "$include" -x c++ - 2>&1 || true)
+    [[ $finds == *"compile without -ffast-math"* ]] || fault "$name: compiles with -ffast-math"
+  fi
 done
 ((${#headers[@]} > 0 && failures == 0))

@@ -41,10 +41,15 @@ JsonValue as_value(const FrameRecord& record) {
 }
 
 JsonValue as_value(const LightRecord& light) {
-  Fields fields{{"rays", light.rays},       {"legs", light.legs},
-                {"rounds", light.rounds},   {"absorbed", light.absorbed},
-                {"escaped", light.escaped}, {"corners", light.corners},
-                {"cut_off", light.cut_off}, {"gambled", light.gambled}};
+  Fields fields{{"rays", light.rays}};
+  if (light.rounds > 0)  // what is followed from its pixels has none, and no end of a leg
+    fields.insert(fields.end(), {{"legs", light.legs},
+                                 {"rounds", light.rounds},
+                                 {"absorbed", light.absorbed},
+                                 {"escaped", light.escaped},
+                                 {"corners", light.corners},
+                                 {"cut_off", light.cut_off},
+                                 {"gambled", light.gambled}});
   if (light.error) fields.emplace_back("error", *light.error);
   return fields;
 }

@@ -218,10 +218,13 @@ Result<std::optional<FilmFile>> traced_film(const RenderJob& job, const RenderPl
   const std::string setting = json_text(job.film_setting(frame));
   FLATRAY_TRY(before, light_before(job, frame));
   LightGoal goal = *plan.light_goal;
+  // A film that this run was not told to add to stays until there is a whole one in its place.
+  std::error_code ignored;
+  const bool keeps = !job.output.is_stdout() && (job.light.resume || !fs::exists(path, ignored));
   Keeper keeper(path, setting);
   goal.told = [&](const TracedLight& light, std::optional<double> error) {
     if (plan.light_goal->told) plan.light_goal->told(light, error);
-    if (!job.output.is_stdout()) keeper(light);
+    if (keeps) keeper(light);
   };
   const TracedLight light =
       trace_frame_light(timeline.scene(), at(timeline, frame), job.tracer, timeline.seed(),

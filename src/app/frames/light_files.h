@@ -33,7 +33,8 @@ Result<void> merge_film(FilmFile& film, const FilmFile& more, const std::string&
 Result<void> expect_films(const RenderJob& job, std::span<const unsigned> frames);
 
 /// The film of a frame: with --resume that which is there, and to it the rays that it lacks. What
-/// has been traced is written from time to time, so that a run that is killed loses little.
+/// has been traced is written from time to time, so that a run that is killed loses little; not where it
+/// would replace a film that is not resumed.
 /// Gives   nullopt where it was stopped.
 /// Error   Trouble::output where a film of other light is there; that of read_film.
 Result<std::optional<FilmFile>> traced_film(const RenderJob& job, const RenderPlan& plan,

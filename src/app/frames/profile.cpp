@@ -208,8 +208,9 @@ Result<void> choose_by_profile(Arguments& arguments, const ProfileOptions& optio
   FLATRAY_TRY(way, choose(*profile, options.error.value_or(kInfinity),
                           options.seconds.value_or(kInfinity)));
   if (!arguments.has("quiet"))
-    report_note(fmt::format("profile: {}, error {}{:.3g}, {:.3g} s a frame", way->words,
-                            way->at_most ? "at most " : "", way->error, way->seconds));
+    report_note(fmt::format("profile: {}, error {}{:.3g}, {:.3g} s a frame{}", way->words,
+                            way->at_most ? "at most " : "", way->error, way->seconds,
+                            loaded->scene.lamps.empty() ? "" : ", both without light"));
   for (const auto& [name, value] : way->options) arguments.add_nearer(name, {"--profile", {value}});
   return {};
 }

@@ -69,10 +69,11 @@ Result<void> check_places(const Arguments& arguments, const OutputPattern& outpu
   if (video)
     if (auto fits = check_video(arguments, output); !fits) return fits;
   if (frames > 1 && !output.has_frame() && !video)
-    return usage_error(arguments.where("output"),
-                       fmt::format("has no place for the numbers of {} frames", frames),
-                       output.is_stdout() ? "choose one, as -f 1, or say --format y4m"
-                                          : "say frame_####.png, or choose one frame, as -f 1");
+    return usage_error(
+        arguments.where("output"), fmt::format("has no place for the numbers of {} frames", frames),
+        output.is_stdout()
+            ? "choose one, as -f 1, or say --format y4m"
+            : fmt::format("say frame_####.{}, or choose one frame, as -f 1", output.format().name));
   if (scenes > 1 && !output.has_scene())
     return usage_error(
         arguments.where("output"), fmt::format("has no place for the names of {} scenes", scenes),

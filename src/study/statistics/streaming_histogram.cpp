@@ -1,6 +1,7 @@
 #include "study/statistics/streaming_histogram.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/npy.h"
@@ -39,7 +40,7 @@ void StreamingHistogram::add_files(ExperimentResult& result, const std::string& 
   for (const Values& row : bins.rows) {
     for (const std::size_t end : {0U, 1U}) numbers.add(*row[end].as_number());
     numbers.add(*row[2].as_whole());
-    numbers.add(row[3].as_number().value_or(0));
+    numbers.add(row[3].as_number().value_or(std::nan("")));
   }
   result.files.push_back(csv_file(name, bins));
   result.files.push_back({name + ".npy", std::move(numbers).take(), caption});

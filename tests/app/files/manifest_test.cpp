@@ -44,6 +44,24 @@ TEST_F(Manifest, ALineIsCompactJsonWithItsFrameFirst) {
       R"("bytes":"00000000000000bb","scene":"00000000000000cc","seed":18446744073709551615,"backend":"gl: made for this test"})");
 }
 
+// Light that is followed from its pixels has no rounds, and no ends that could be told.
+TEST_F(Manifest, OfLightFromPixelsTheNumberOfPathsIsTold) {
+  LightReport report;
+  report.counts.rays = 1000;
+  FrameRecord backward = record(1), forward = record(1);
+  backward.light = record_of(report);
+  EXPECT_NE(manifest_line(backward).find(R"("light":{"rays":1000}})"), std::string::npos)
+      << manifest_line(backward);
+  EXPECT_EQ(parse_manifest_line(manifest_line(backward)), backward);
+  report.rounds = 2;
+  report.counts.emitted = report.counts.escaped = 8;
+  forward.light = record_of(report);
+  EXPECT_NE(manifest_line(forward).find(R"("rounds":2,"absorbed":0,"escaped":1,)"),
+            std::string::npos)
+      << manifest_line(forward);
+  EXPECT_EQ(parse_manifest_line(manifest_line(forward)), forward);
+}
+
 TEST_F(Manifest, ALineThatNamesNoBackEndIsOfTheSoftwareOne) {
   std::string line = manifest_line(record(3));
   line.replace(line.find(",\"backend\""), std::string::npos, "}");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 namespace flatray {
 namespace {
@@ -15,6 +16,20 @@ TEST(StreamingHistogram, CountsByBinAndWhatLiesAbove) {
   const Table table = counts.table();
   ASSERT_EQ(table.rows.size(), 5U);
   EXPECT_EQ(csv_text(table).substr(0, 40), "from,to,count,density\n0,0.5,2,0.66666666");
+}
+
+// What has no end has no density: none in the table, NaN among numbers.
+TEST(StreamingHistogram, AboveItsBinsThereIsNoDensity) {
+  StreamingHistogram counts(0, 1, 2);
+  for (const double number : {0.25, 7.0}) counts.add(number);
+  ExperimentResult result;
+  counts.add_files(result, "bins", "");
+  ASSERT_EQ(result.files.size(), 2U);
+  const std::string& content = result.files[1].content;
+  double last = 0;
+  std::memcpy(&last, content.data() + content.size() - sizeof last, sizeof last);
+  EXPECT_TRUE(std::isnan(last)) << last;
+  EXPECT_FALSE(counts.table().rows.back()[3].as_number());
 }
 
 TEST(StreamingHistogram, OfPartsIsThatOfTheWhole) {

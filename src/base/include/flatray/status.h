@@ -2,8 +2,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "flatray/float_mode.h"
+
 /// What other programs call: `<flatray/trace.h>`, `<flatray/collide.h>`,
 /// `<flatray/transport.h>` and `<flatray/picture.h>`.
+///
+/// Needs   of each thread the floating-point mode in which programs begin: rounding to nearest, and numbers near
+///         0 as they are. In another (fesetround, denormals flushed to 0) answers are wrong, and nothing tells it.
 namespace flatray::api {
 
 /// What is wrong with what a caller gave.

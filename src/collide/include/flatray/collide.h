@@ -18,7 +18,8 @@ struct MovingPair {
 /// Which parts of two bodies meet: an edge of one and a vertex of the other.
 struct ContactFeature {
   bool edge_of_a = true;
-  std::int32_t edge = kNoEdge;    ///< from this vertex to the next; kNoEdge: none, or not told
+  std::int32_t edge =
+      kNoEdge;  ///< from this vertex to the next; kNoEdge: none, or not told; of no area 0
   std::int32_t vertex = kNoEdge;  ///< of the other
 
   bool operator==(const ContactFeature&) const = default;
@@ -33,7 +34,7 @@ struct Contact {
   StartPlace start = StartPlace::outside;  ///< at t = 0: apart, touching or overlapping
   bool first_overflows = false,
        last_overflows = false;  ///< that t lies beyond the doubles and is given as the largest
-  /// What meets then; kNoEdge where that t is an end of the range, and of two rounded vertices.
+  /// What meets then; kNoEdge where that t is an end of the range, and of two vertices, rounded or in line.
   ContactFeature at_first{}, at_last{};
 
   bool operator==(const Contact&) const = default;

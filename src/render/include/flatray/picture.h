@@ -26,8 +26,8 @@ class Picture {
   ///         refers to are looked for beside that name.
   /// Gives   whether there is a picture now. Where there is none, messages() says why.
   bool draw(std::string_view name, std::string_view text, unsigned frame = 1, unsigned threads = 1);
-  /// Every mistake of the scene as `file:line:column: error: ...` with its remedy; warnings where a
-  /// picture was drawn.
+  /// Every mistake of the scene as `file:line:column: error: ...`, or `file: error: ...`, with its remedy;
+  /// warnings where a picture was drawn.
   std::string_view messages() const;
 
   int width() const;     ///< 0 where there is no picture

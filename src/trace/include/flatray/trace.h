@@ -32,7 +32,7 @@ struct DepartedSurface {
 struct Rays {
   std::span<const double> ox, oy, dx, dy;
   std::span<const DepartedSurface> departed{};  ///< empty, or one entry a ray
-  bool tangents = true;                         ///< whether a curve touched in one point is met
+  bool tangents = true;                         ///< whether a curve touched between its ends is met
 
   std::size_t size() const { return ox.size(); }
 };
@@ -119,7 +119,8 @@ inline constexpr std::int32_t kNoEdge = -1;
 struct Interval {
   double enter = 1, exit = 0;  ///< nearest doubles; enter > exit exactly where `kind` is none
   /// The edges by which the ray enters and leaves; edge i runs from vertex i to the next. Of two
-  /// edges that meet there it is the lower number. kNoEdge where the interval ends with the
+  /// edges that meet there it is the lower number; at a vertex that is only touched it enters by one and
+  /// leaves by the other. kNoEdge where the interval ends with the
   /// range, and of a disc.
   std::int32_t edge_enter = kNoEdge, edge_exit = kNoEdge;
   HitClass kind = HitClass::none;

@@ -17,7 +17,8 @@ struct Bounce {
   /// at most 2 ulp from that in each coordinate.
   double x, y;
   double t;  ///< from the bounce before to this one, in lengths of the direction between them
-  double path_length;               ///< from the start, world units
+  double
+      path_length;  ///< from the start, world units; infinite where sums of t, or lengths, are beyond the doubles
   double normal_x, normal_y;        ///< unit, towards the side the ray came from
   double direction_x, direction_y;  ///< after the bounce, as long as that of the start
 
@@ -29,8 +30,8 @@ enum class OrbitEnd : std::uint8_t {
   limit,     ///< all bounces asked for were made
   escape,    ///< nothing lies ahead
   absorbed,  ///< arrived at a wall that absorbs
-  corner,    ///< arrived at an end of a wall, or where two meet: no reflection is defined
-  along      ///< runs along a wall, or so nearly that no double leads away from it
+  corner,  ///< arrived at an end of a wall, or where two meet, or no double lies beside it: no reflection
+  along  ///< runs along a wall, or so nearly that no double leads away from it
 };
 
 /// One orbit: its bounces are [begin, end) of the bounces of all orbits.
@@ -74,7 +75,7 @@ class Room {
   /// Gives   one orbit a ray, in order, and the bounces, those of one orbit in a row. What a ray
   ///         does depends on no other ray.
   /// Error   `sizes`, `not_finite`, `direction`: the entry is the ray.
-  /// Cost    0.3 to 1.2 us and 80 bytes a bounce; twice those bytes while it runs.
+  /// Cost    0.3 to 1.2 us and 80 bytes a bounce; three times as many while it runs.
   Status orbits(const Rays& starts, std::uint64_t bounces, std::vector<Orbit>& orbits,
                 std::vector<Bounce>& all_bounces) const;
 
