@@ -1,9 +1,49 @@
 #include "image/pixel_runs.h"
 
-#include "image/develop_pixel.h"
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "image/srgb_encoder.h"
 
 namespace flatray {
 namespace {
+
+// Nearest of 256 levels, halves up; exact, as a float times 255 fits a double.
+std::uint8_t level(float share) {
+  const double levels = 255.0 * static_cast<double>(share) + 0.5;
+  return static_cast<std::uint8_t>(levels > 0 ? std::min(levels, 255.0) : 0.0);
+}
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+// Written out: the three hide each other's latency.
+Rgb encode_light(const SrgbEncoder& encode, float r, float g, float b) {
+  return {encode(r), encode(g), encode(b)};
+}
+
+// Over an opaque background.
+struct Opaque {
+  static constexpr int kChannels = 3;
+  static void pixel(const float* rgba, const SrgbEncoder& encode, std::uint8_t* out) {
+    const Rgb rgb = encode_light(encode, rgba[0], rgba[1], rgba[2]);
+    std::memcpy(out, rgb.data(), rgb.size());
+  }
+};
+
+// Straight alpha.
+struct Straight {
+  static constexpr int kChannels = 4;
+  static void pixel(const float* rgba, const SrgbEncoder& encode, std::uint8_t* out) {
+    const float alpha = rgba[3];
+    const std::uint8_t shown = level(alpha);
+    const Rgb rgb = shown == 0
+                        ? Rgb{}
+                        : encode_light(encode, rgba[0] / alpha, rgba[1] / alpha, rgba[2] / alpha);
+    std::memcpy(out, rgb.data(), rgb.size());
+    out[3] = shown;
+  }
+};
 
 // Twelve bytes are whole pixels of either kind.
 ShownColour repeated(std::uint64_t pixel, int channels) {
@@ -50,6 +90,21 @@ void put_pixels(std::span<const Light> colours, std::span<const std::uint32_t> p
     put_pixels_as<Opaque>(colours, places, first);
   else
     put_pixels_as<Straight>(colours, places, first);
+}
+
+void put_rows(std::span<const Light> colours, int width, int x, int y, Image& out) {
+  std::vector<std::uint32_t> places(static_cast<std::size_t>(width));
+  std::iota(places.begin(), places.end(), 0U);
+  for (; !colours.empty(); colours = colours.subspan(places.size()), ++y)
+    put_pixels(colours.first(places.size()), places, out.channels, out.at(x, y));
+}
+
+void put_rows(std::span<const Light> colours, int width, int x, int y, LinearImage& out) {
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    const std::ptrdiff_t pixel = (y + at / width) * out.width + x + at % width;
+    std::copy_n(colours[i].data(), 3, out.pixels.begin() + 3 * pixel);
+  }
 }
 
 }  // namespace flatray

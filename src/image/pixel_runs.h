@@ -5,6 +5,8 @@
 #include <span>
 #include <type_traits>
 
+#include "image/image.h"
+
 namespace flatray {
 
 /// Linear premultiplied RGBA.
@@ -16,7 +18,7 @@ struct ShownColour {
   std::uint8_t bytes[kBytes];
 };
 
-/// Develops a colour as a `Tile` of a picture with so many channels would.
+/// A colour as pixels of 8 bits a channel: 3 channels over an opaque background, 4 with straight alpha.
 ShownColour shown_colour(const Light& light, int channels);
 
 /// Writes `count` > 0 bytes of whole pixels.
@@ -47,5 +49,9 @@ inline void put_run(const ShownColour& colour, std::size_t count, std::uint8_t* 
 /// Develops colour i into pixel `places[i]`, counted in memory order from `first`.
 void put_pixels(std::span<const Light> colours, std::span<const std::uint32_t> places, int channels,
                 std::uint8_t* first);
+
+/// Develops rows of `width` > 0 colours into a picture, the first at (x, y); of a linear one their light.
+void put_rows(std::span<const Light> colours, int width, int x, int y, Image& out);
+void put_rows(std::span<const Light> colours, int width, int x, int y, LinearImage& out);
 
 }  // namespace flatray

@@ -5,7 +5,7 @@
 
 #include "image/deflate.h"
 #include "image/png.h"
-#include "image/tile.h"
+#include "image/band_rows.h"
 #include "pictures.h"
 
 namespace flatray {

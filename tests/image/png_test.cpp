@@ -7,7 +7,7 @@
 
 #include "base/file.h"
 #include "base/parallel.h"
-#include "image/tile.h"
+#include "image/band_rows.h"
 #include "pictures.h"
 
 namespace flatray {

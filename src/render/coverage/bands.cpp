@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/tile.h"
+#include "image/band_rows.h"
 
 namespace flatray {
 namespace {

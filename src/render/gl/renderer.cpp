@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "image/tile.h"
+#include "image/pixel_runs.h"
 #include "render/gl/batches.h"
 #include "render/gl/loaded_module.h"
 
@@ -70,23 +70,22 @@ class GlRenderer final : public Renderer {
     shape_picture(crop, list, out);
     const int width = std::min(crop.width, FLATRAY_GL_TILE);
     const int rows = std::clamp(kTilePixels / std::max(width, 1), 1, FLATRAY_GL_TILE);
-    Tile tile;
+    std::vector<Light> colours;
     for (int y = 0; y < crop.height; y += rows)
       for (int x = 0; x < crop.width; x += width) {
         if (options.stopped()) return {};
         const PixelBox box{crop.x + x, crop.y + y, std::min(width, crop.width - x),
                            std::min(rows, crop.height - y)};
-        tile.x = x, tile.y = y, tile.width = box.width, tile.height = box.height;
-        if (auto drawn = draw_tile(list, box, tile); !drawn) return drawn;
-        develop(tile, out);
+        if (auto drawn = draw_tile(list, box, colours); !drawn) return drawn;
+        put_rows(colours, box.width, x, y, out);
       }
     return {};
   }
 
-  Result<void> draw_tile(const DrawList& list, const PixelBox& box, Tile& tile) const {
+  Result<void> draw_tile(const DrawList& list, const PixelBox& box,
+                         std::vector<Light>& colours) const {
     const Batches made = batches(list, box);
-    tile.rgba.resize(4 * static_cast<std::size_t>(box.width) *
-                     static_cast<std::size_t>(box.height));
+    colours.resize(static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
     const LinearColour& under = list.background;
     const bool centre = list.coverage == Coverage::centre;
     const FlatrayGlInfo& info = module_->info();
@@ -110,7 +109,7 @@ class GlRenderer final : public Renderer {
          .gradient_count = made.gradients.size(),
          .stops = made.stops.data(),
          .stop_count = made.stops.size(),
-         .rgba = tile.rgba.data()});
+         .rgba = colours.front().data()});
   }
 
   std::unique_ptr<LoadedModule> module_;

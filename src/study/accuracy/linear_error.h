@@ -27,7 +27,4 @@ double rms_difference(const std::vector<Number>& a, const std::vector<Number>& b
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(a.size(), 1)));
 }
 
-/// What linear light looks like on a screen.
-Image developed(const LinearImage& light);
-
 }  // namespace flatray

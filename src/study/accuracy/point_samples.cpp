@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "image/tile.h"
+#include "image/pixel_runs.h"
 #include "render/coverage/band_scan.h"
 #include "render/frame.h"
 
@@ -139,10 +139,10 @@ PointSampled point_sampled(const DrawList& list, std::span<const SamplePlace> pl
           if (beside[i] != seen[i]) out.near[i / 4] = true;
       }
   }
-  Tile tile{0, 0, list.width, list.height, {}};
-  for (const double value : sum)
-    tile.rgba.push_back(static_cast<float>(value / static_cast<double>(places.size())));
-  develop(tile, out.picture);
+  std::vector<Light> colours(pixels);
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    colours[i / 4][i % 4] = static_cast<float>(sum[i] / static_cast<double>(places.size()));
+  put_rows(colours, list.width, 0, 0, out.picture);
   return out;
 }
 

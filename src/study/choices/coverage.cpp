@@ -5,6 +5,7 @@
 #include "base/entry_named.h"
 #include "base/processor_time.h"
 #include "image/compare.h"
+#include "image/hdr.h"
 #include "render/backend.h"
 #include "study/accuracy/linear_error.h"
 #include "study/accuracy/point_samples.h"
@@ -17,9 +18,8 @@ constexpr std::array kTruthSamples = {256, 128, 64, 32, 16};
 std::function<Outcome()> judged(const std::shared_ptr<DrawnFrame>& film) {
   return [film] {
     Outcome outcome{rms_difference(film->drawn.pixels, film->truth.pixels), 0,
-                    developed(film->drawn)};
-    outcome.difference =
-        difference_image(*outcome.picture, developed(film->truth), kDifferenceGain);
+                    develop(film->drawn)};
+    outcome.difference = difference_image(*outcome.picture, develop(film->truth), kDifferenceGain);
     return outcome;
   };
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/processor_time.h"
+#include "image/hdr.h"
 #include "render/frame.h"
 #include "study/accuracy/linear_error.h"
 
@@ -68,7 +69,7 @@ LinearImage drawn(const DrawnFrame& curves, const DrawList& list) {
 std::function<Outcome()> judged(const std::shared_ptr<DrawnFrame>& curves, bool chords) {
   return [curves, chords] {
     const double error = rms_difference(curves->drawn.pixels, curves->truth.pixels);
-    Outcome outcome{error, 0, developed(curves->drawn)};
+    Outcome outcome{error, 0, develop(curves->drawn)};
     outcome.parts[static_cast<std::size_t>(ErrorKind::discretisation)] = chords ? error : 0;
     if (!chords) outcome.parts[static_cast<std::size_t>(ErrorKind::rounding)] = error;
     return outcome;
