@@ -14,7 +14,7 @@ std::string shown_text(std::string_view text);
 /// The same of many lines: their ends and tabs stay.
 std::string shown_lines(std::string text);
 
-/// A message that quotes text of others: of more than 4000 bytes the first of them, and "...".
+/// A message that quotes text of others: of more than 4000 bytes at most the first 4000, and "...".
 std::string shortened(std::string_view message);
 
 /// The text itself, but for bytes that are no UTF-8, which are shown as above.

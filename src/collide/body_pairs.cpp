@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collide/impact.h"
 #include "geom/decide.h"
 #include "geom/pair.h"
 #include "geom/polygon.h"
@@ -36,6 +37,10 @@ bool approach(const Vec2& normal, const Vec2& a, const Vec2& b) {
   return decide([&](const auto& number) {
            return dot(pair_of(number, normal), pair_of(number, b) - pair_of(number, a));
          }) == Sign::negative;
+}
+
+bool is_gentle(const Vec2& normal, const Vec2& a, const Vec2& b) {
+  return normal.dot(a - b) <= kSlideLeaves * std::max(a.stableNorm(), b.stableNorm());
 }
 
 BodyPairs::BodyPairs(std::span<const SimulatedBody> bodies,
@@ -112,11 +117,12 @@ std::optional<Hit> BodyPairs::meeting(const IndexPair& pair, double time, double
     if (met.times.kind != HitClass::through || !met.first || !met.last) return;
     const double enter = met.times.t_enter, t = std::max(enter, 0.0);
     if (met.times.t_exit <= 0 || enter > end - time) return;
-    if (overlap == Overlap::glides && time + enter <= time) return;
     overlaps |= enter < 0;
     if (found && t > found->time) return;
     at.place = enter < 0 ? resting_place(a, b, 0) : contact_place(met.first, a, b, t);
-    if (enter >= 0 || approach(at.place.normal, a.velocity, b.velocity)) add(found, t, at);
+    const Vec2& normal = at.place.normal;
+    if (overlap == Overlap::glides && is_gentle(normal, a.velocity, b.velocity)) return;
+    if (enter >= 0 || approach(normal, a.velocity, b.velocity)) add(found, t, at);
   });
   if (overlaps && overlap == Overlap::passed) return std::nullopt;
   return found;

@@ -31,12 +31,14 @@ struct Hit {
 /// What becomes of two that lie in each other, or touch, at once.
 enum class Overlap : std::uint8_t {
   meets,
-  glides,  ///< these parts do not meet, others may
+  glides,  ///< parts that come nearer so gently do not meet
   passed   ///< not at all, as long as it is so
 };
 
 /// Whether b comes nearer to a against a normal out of a.
 bool approach(const Vec2& normal, const Vec2& a, const Vec2& b);
+/// Whether it comes nearer by no more than kSlideLeaves of the larger speed, if at all: normals are rounded.
+bool is_gentle(const Vec2& normal, const Vec2& a, const Vec2& b);
 
 /// Pairs of bodies, each on the last of its stages.
 class BodyPairs {

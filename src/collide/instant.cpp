@@ -85,11 +85,10 @@ bool Instants::stop(std::span<const Hit> hits, Players& players, double time) {
     player.velocity = {0, 0};
     for (const Resting& by : held_[body])
       player.velocity = std::max(player.velocity, velocity(wall(by)), is_slower);
-    const double gently = kSlideLeaves * player.velocity.stableNorm();
     for (const auto& [touch, since] : held_[body]) {
       const Vec2 &normal = touch.place.normal, &a = velocity(touch.pair.first),
                  &b = velocity(touch.pair.second);
-      if (approach(normal, a, b) && !(normal.dot(a - b) <= gently)) return false;
+      if (approach(normal, a, b) && !is_gentle(normal, a, b)) return false;
     }
   }
   return true;

@@ -38,6 +38,8 @@ struct Tally {
   Hit now{}, before{};
 };
 
+constexpr std::size_t kStill = 64;  // events at one time from which on gentle ones change nothing
+
 class Run {
  public:
   Run(std::span<const SimulatedBody> bodies, double end, PairSearch search)
@@ -117,6 +119,8 @@ class Run {
       const bool at_once = now_ - stands_from_ <= rounding;
       if (!at_once) stands_from_ = now_;
       at_once_ = at_once ? at_once_ + hits.size() : 0;
+      if (at_once_ > kStill) leave_gentle(hits);
+      if (hits.empty()) continue;
       const bool full = done.events.size() == most_events;
       done.too_often = !full && !accumulates_ && at_once_ > kJamEvents * bodies_.size();
       done.jammed = !full && (accumulates_ || done.too_often || !respond(hits));
@@ -213,10 +217,8 @@ class Run {
     std::ranges::push_heap(ahead_, std::less<>());
   }
 
-  // How many stages each of a pair has.
-  IndexPair stages_of(const IndexPair& pair) const {
-    return {static_cast<std::uint32_t>(stages_[pair.first].size()),
-            static_cast<std::uint32_t>(stages_[pair.second].size())};
+  std::pair<Vec2, Vec2> velocities(const IndexPair& pair) const {
+    return {stages_[pair.first].back().velocity, stages_[pair.second].back().velocity};
   }
 
   bool is_gone(std::uint32_t i) const { return stages_[i].back().gone; }
@@ -245,7 +247,7 @@ class Run {
     const double from = seen_from(pair);
     const auto glides = gliding_.find(pair);
     const Overlap overlap = left_alone_.count(pair) > 0 ? Overlap::passed
-                            : glides != gliding_.end() && glides->second == stages_of(pair)
+                            : glides != gliding_.end() && glides->second == velocities(pair)
                                 ? Overlap::glides
                                 : Overlap::meets;
     std::optional<Hit> met = pairs_.meeting(pair, from, end_, overlap);
@@ -255,25 +257,45 @@ class Run {
     expect({*std::move(met), true, prospect.stage_a, prospect.stage_b});
   }
 
+  bool is_gentle(const Hit& hit) const {
+    return std::ranges::all_of(hit.touches, [&, ways = velocities(hit.pair)](const Touch& touch) {
+      return flatray::is_gentle(touch.place.normal, ways.first, ways.second);
+    });
+  }
+
+  // Whether both go on as before.
+  bool changes_nothing(const Hit& hit, const Changes& changes) const {
+    const auto goes_on = [&](std::uint32_t body) {
+      const auto change = changes.find(body);
+      return change == changes.end() ||
+             (!change->second.gone && change->second.velocity == stages_[body].back().velocity);
+    };
+    return goes_on(hit.pair.first) && goes_on(hit.pair.second);
+  }
+
+  // Velocities that change by no more than their last bits would for ever.
+  void leave_gentle(std::vector<Hit>& hits) {
+    std::erase_if(hits, [&](const Hit& hit) {
+      if (!is_gentle(hit)) return false;
+      gliding_[hit.pair] = velocities(hit.pair);
+      foresee(hit.pair);
+      return true;
+    });
+  }
+
   // Whether there is a way out.
   bool respond(std::span<const Hit> hits) {
     const auto changes = instants_.respond(hits, now_);
     if (!changes) return false;
-    for (const Hit& hit : hits)  // as long as they overlap it is one meeting
-      if (instants_.is_mark(hit.pair)) left_alone_.insert(hit.pair);
-    const auto goes_on = [&](std::uint32_t body) {
-      const auto change = changes->find(body);
-      return change == changes->end() ||
-             (!change->second.gone && change->second.velocity == stages_[body].back().velocity);
-    };
-    std::vector<IndexPair> gliding;
     for (const Hit& hit : hits)
-      if (goes_on(hit.pair.first) && goes_on(hit.pair.second)) gliding.push_back(hit.pair);
+      if (instants_.is_mark(hit.pair))  // as long as they overlap it is one meeting
+        left_alone_.insert(hit.pair);
+      else if (is_gentle(hit) && changes_nothing(hit, *changes))
+        gliding_[hit.pair] = velocities(hit.pair);
     for (const auto& [body, change] : *changes) {
       stages_[body].push_back({now_, pairs_.place(body, now_), change.velocity, change.gone});
       near_.change(body, stages_[body].back());
     }
-    for (const IndexPair& pair : gliding) gliding_[pair] = stages_of(pair);
     for (const auto& changed : *changes)
       near_.each_near(changed.first, [&, body = changed.first](std::uint32_t k) {
         const bool told = k < body && changes->count(k) > 0;
@@ -296,12 +318,11 @@ class Run {
   std::vector<Tally> tallies_;
   std::optional<Hit> accumulates_;  // when, and whose
   std::size_t responding_ = 0;
-  std::vector<IndexPair> overlaps_;  // at time 0
-  std::set<IndexPair> left_alone_;   // marks and what they lie in
-  // Those that have met so gently that both go on as before, and the stages in which they do.
-  std::map<IndexPair, IndexPair> gliding_;
-  std::vector<Prospect> ahead_;  // a heap
-  std::size_t most_ahead_ = 0;   // until those that came to nothing are looked for
+  std::vector<IndexPair> overlaps_;                     // at time 0
+  std::set<IndexPair> left_alone_;                      // marks and what they lie in
+  std::map<IndexPair, std::pair<Vec2, Vec2>> gliding_;  // as long as these are their velocities
+  std::vector<Prospect> ahead_;                         // a heap
+  std::size_t most_ahead_ = 0;  // until those that came to nothing are looked for
 };
 
 }  // namespace

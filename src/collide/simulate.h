@@ -20,10 +20,11 @@ struct SimulatedBody {
 
 /// Bodies in place of entities, each with its stages, the first from 0.
 struct Simulation : Responses {
-  bool complete = true;      ///< false: as many events as were allowed came first, or
-  bool jammed = false;       ///< there was no way out, or time stood still
-  bool too_often = false;    ///< the latter
-  std::size_t crowd = 0;     ///< contacts at `jam` that were too many to find one; 0: few enough
+  bool complete = true;  ///< false: as many events as were allowed came first, or
+  bool jammed = false;   ///< there was no way out, or time stood still
+  bool too_often =
+      false;              ///< jammed, as more events came at one time than kJamEvents for each body
+  std::size_t crowd = 0;  ///< contacts at `jam` that were too many to find one; 0: few enough
   double until = kInfinity;  ///< time of the first event that is not told
   double jam = kInfinity;  ///< when there is no way out; later than `until`, about: hits accumulate
   IndexPair untold{0, 0};  ///< whose that is
@@ -54,7 +55,8 @@ enum class PairSearch : std::uint8_t { near, all };
 ///         velocities do not depend on the order of bodies, but for the limits told in docs/adr/0020. A shorter time gives the first of the same
 ///         events. Bodies that overlap, from time 0 or by rounding, meet at once where they come nearer
 ///         along the shortest way out, marks of time 0 never; else they are left alone until one of
-///         them changes its way. All others pass through nothing, however fast.
+///         them changes its way. So are parts that meet at no more than kSlideLeaves of a speed, where that
+///         changes no velocity. All others pass through nothing, however fast.
 /// Error   each meeting exact for the doubles at the last event of either; bodies are then placed
 ///         by at + velocity * time, rounded. Momentum and energy to rounding.
 /// Cost    a contact for each pair that comes near; time is cut into whiles in which some of the bodies

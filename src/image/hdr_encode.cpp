@@ -20,7 +20,7 @@ void append(void* bytes, void* data, int size) {
 // stb cuts mantissas off: of light that is a whole number of units of its pixel's exponent it loses nothing.
 void round_pixel(float* rgb) {
   const float most = std::max({rgb[0], rgb[1], rgb[2]});
-  if (most < 0x1p-128F) {  // below the least exponent
+  if (most < 0x1p-128F) {  // of which no unit is a float; stb makes black of more
     std::fill_n(rgb, 3, 0.0F);
     return;
   }

@@ -72,7 +72,8 @@ bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point);
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
 
 /// Whether a ray to a place, which it comes to at t = 1 but for rounding, meets a wall before it: by the sides
-/// of the wall that it comes from and that the place is on, where t leaves a doubt.
+/// of the wall that it comes from and that the place is on, where t leaves a doubt; of a segment that it runs
+/// along, by whether that begins before the place.
 bool is_before(const Surfaces& walls, const Ray& ray, const NearestHit& hit, const Vec2& place);
 
 }  // namespace flatray

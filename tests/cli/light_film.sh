@@ -26,7 +26,7 @@ done
 # A film that is not to be resumed stays until there is another.
 run 0 render lamp.toml --rays 524288 -o kept.film --quiet
 cp kept.film before.film
-run 124 render lamp.toml --rays 100000000000 -o kept.film --max-seconds 3
+run 124 render lamp.toml --rays 100000000000 -o kept.film --max-seconds 5
 as_one before.film kept.film "a run that was stopped"
 
 # Threads, more rays, shards in any order; of three rounds of 262144 rays.

@@ -142,6 +142,13 @@ refuses 1 '#n-gon'
 sed '2s/,#[0-9a-f]*$//' rooms/leaks.csv | sed '2s/^\([^,]*,[^,]*,[^,]*,[^,]*,[^,]*\),[0-9]*/\1,1025/' > false/leaks.csv
 run 6 stability --leaks 10 --tracer float --places origin -o false
 says err 'false/leaks.csv:2: error: is not a row that this program writes'
+# So are columns of other builds.
+mkdir -p columns
+cut -d, -f1-28,30 log/stability.csv > columns/stability.csv
+run 6 stability --families vertex --count 10 -o columns
+says err "columns/stability.csv:1: error: is not a row that this program writes"
+run 0 stability --families vertex --count 10 -o columns --force
+[[ $(head -n 1 columns/stability.csv) == "$(head -n 1 log/stability.csv)" ]] || fail 'the columns are still those of another build'
 # A row with a count that a run may have had, and has not, is told by its hash.
 cp -r log changed
 sed -i '2s/,16384,/,16383,/' changed/stability.csv

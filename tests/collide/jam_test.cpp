@@ -61,9 +61,46 @@ TEST(Jams, WhatGlidesAlongASlopeIsNotJammed) {
           simulate(on_slope(way, from, speed * way), Response::bounce, 14 / speed + 1);
       ASSERT_TRUE(done.complete) << way.transpose() << " from " << from << " at " << speed;
       EXPECT_LT(done.events.size(), 9U);
+      for (const Stage& stage : done.stages[1])  // it stays on the slope
+        EXPECT_GT(cross(way, stage.at) / way.norm(), -1e-9);
       EXPECT_LT((done.stages[1].back().velocity + speed * way).norm(), 1e-9)
           << "not turned by the block";
     }
+}
+
+// Each of three bodies in one line is met again while the others are; below a lid velocities change by their
+// last bits.
+TEST(Jams, WhatGlidesAlongManyBodiesIsNotJammed) {
+  oracle::Draw draw(53, 2, 0);
+  for (const Vec2& way : {Vec2(3, 1), Vec2(1, 3), Vec2(0.7, 0.9), Vec2(5, 2), Vec2(-7, 3)})
+    for (int i = 0; i < 40; ++i) {
+      const double from = draw.unit(), speed = 1 + draw.unit();
+      std::vector<SimulatedBody> bodies = on_slope(way, from, speed * way);
+      bodies[0].parts.pop_back();
+      const Vec2 up(-way.y(), way.x());
+      const auto along = [&](double first, double last, double low, double high) {
+        const ShapePart part{{first * way + low * up, last * way + low * up, last * way + high * up,
+                              first * way + high * up},
+                             0};
+        bodies.push_back({{part}, {0, 0}, {0, 0}, kInfinity});
+      };
+      along(-4, 11, -2, 0);
+      along(0, 7, -1, 0);
+      if (i % 2 == 1) along(-9, 20, 1, 2);  // a lid
+      const Simulation done = simulate(bodies, i % 4 < 2 ? Response::bounce : Response::slide, 4);
+      ASSERT_TRUE(done.complete) << way.transpose() << " from " << from << " at " << speed;
+      for (const Stage& stage : done.stages[1]) EXPECT_GT(cross(way, stage.at) / way.norm(), -1e-9);
+    }
+}
+
+// One that rides on what moves, and one that stands, have stopped: neither is moved, and they are jammed.
+TEST(Jams, WhatIsCarriedIntoWhatHasStoppedDoesNotPassIt) {
+  std::vector<SimulatedBody> bodies = {box({0, -1}, {50, 1}, {1, 0}, kInfinity),
+                                       box({0, 1.5}, {1, 1}, {0, -1}, 1),
+                                       box({6, 2}, {1, 1}, {0, 0}, 1)};
+  const Simulation done = simulate(bodies, Response::stop, 9);
+  EXPECT_TRUE(done.jammed);
+  EXPECT_EQ(done.jam, 4.5);
 }
 
 // Along a slope, up or down, with what is pushed and has stopped on it.

@@ -36,7 +36,7 @@ case $verb in
     left() { (cd out && sha256sum ./*); } ;;
   stability)
     command=(stability --families vertex --count 1 --tracer grid -j 2 -o out)
-    left() { cut -d, -f1-11,13-19,21-30 out/stability.csv; } ;;
+    left() { cut -d, -f1-11,13-19,21-29 out/stability.csv; } ;;
   accuracy)
     command=(accuracy scene.toml --choice precision,depth --budget 0.2 -j 2 -q -o out)
     left() { ls out && [[ -z $(find out -empty) ]] && tail -qc 1 out/* | od -c; } ;;

@@ -27,7 +27,7 @@ struct Chunks {
 
 /// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. Of two
 /// rows of a chunk that of more rays counts. A last row without its end, as a full disk leaves it,
-/// does not count. The last column is a hash of the row.
+/// does not count. The last column is a hash of the row; a row without one is read, too.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {

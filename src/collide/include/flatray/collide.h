@@ -18,8 +18,8 @@ struct MovingPair {
 /// Which parts of two bodies meet: an edge of one and a vertex of the other.
 struct ContactFeature {
   bool edge_of_a = true;
-  std::int32_t edge =
-      kNoEdge;  ///< from this vertex to the next; kNoEdge: none, or not told; of no area 0
+  /// From this vertex to the next, 0 where the body has no area; kNoEdge: none, or not told.
+  std::int32_t edge = kNoEdge;
   std::int32_t vertex = kNoEdge;  ///< of the other
 
   bool operator==(const ContactFeature&) const = default;

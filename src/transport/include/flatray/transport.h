@@ -17,8 +17,8 @@ struct Bounce {
   /// at most 2 ulp from that in each coordinate.
   double x, y;
   double t;  ///< from the bounce before to this one, in lengths of the direction between them
-  double
-      path_length;  ///< from the start, world units; infinite where sums of t, or lengths, are beyond the doubles
+  /// From the start, world units; infinite where lengths, or sums of t, are beyond the doubles.
+  double path_length;
   double normal_x, normal_y;        ///< unit, towards the side the ray came from
   double direction_x, direction_y;  ///< after the bounce, as long as that of the start
 
