@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "flatray/owned.h"
+#include "flatray/status.h"
 
 /// Takes a scene as text and gives the pixels of one of its frames. It writes no file.
 namespace flatray::api {
