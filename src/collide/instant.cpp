@@ -88,7 +88,7 @@ bool Instants::stop(std::span<const Hit> hits, Players& players, double time) {
     for (const auto& [touch, since] : held_[body]) {
       const Vec2 &normal = touch.place.normal, &a = velocity(touch.pair.first),
                  &b = velocity(touch.pair.second);
-      if (approach(normal, a, b) && !is_gentle(normal, a, b)) return false;
+      if (approach(normal, a, b) && !is_gentle(normal, a - b, {0, 0})) return false;
     }
   }
   return true;

@@ -20,11 +20,10 @@ struct SimulatedBody {
 
 /// Bodies in place of entities, each with its stages, the first from 0.
 struct Simulation : Responses {
-  bool complete = true;  ///< false: as many events as were allowed came first, or
-  bool jammed = false;   ///< there was no way out, or time stood still
-  bool too_often =
-      false;              ///< jammed, as more events came at one time than kJamEvents for each body
-  std::size_t crowd = 0;  ///< contacts at `jam` that were too many to find one; 0: few enough
+  bool complete = true;      ///< false: as many events as were allowed came first, or
+  bool jammed = false;       ///< there was no way out, or time stood still
+  bool too_often = false;    ///< so: more events at one time than kJamEvents for each body
+  std::size_t crowd = 0;     ///< contacts at `jam` that were too many to find one; 0: few enough
   double until = kInfinity;  ///< time of the first event that is not told
   double jam = kInfinity;  ///< when there is no way out; later than `until`, about: hits accumulate
   IndexPair untold{0, 0};  ///< whose that is
