@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "image/band_rows.h"
 #include "image/deflate.h"
 #include "image/png.h"
-#include "image/band_rows.h"
 #include "pictures.h"
 
 namespace flatray {

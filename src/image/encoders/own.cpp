@@ -1,11 +1,11 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "image/band_rows.h"
 #include "image/checksums.h"
 #include "image/deflate.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
-#include "image/band_rows.h"
 
 namespace flatray::own_encoder {
 namespace {
