@@ -37,7 +37,8 @@ bool Instants::does(std::uint32_t body, Response response) const {
 
 Instants::Player Instants::player(std::uint32_t body, bool hit) const {
   const bool wall = does(body, Response::stop) || does(body, Response::remove);
-  return {stages_[body].back().velocity, wall ? kInfinity : bodies_[body].mass, hit, body};
+  const double mass = wall ? kInfinity : bodies_[body].mass;
+  return {stages_[body].back().velocity, mass, hit, body};
 }
 
 std::optional<Changes> Instants::respond(std::span<const Hit> hits, double time) {
