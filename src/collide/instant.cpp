@@ -37,7 +37,8 @@ bool Instants::does(std::uint32_t body, Response response) const {
 
 Instants::Player Instants::player(std::uint32_t body, bool hit) const {
   const bool wall = does(body, Response::stop) || does(body, Response::remove);
-  const double mass = wall ? kInfinity : bodies_[body].mass;
+  double mass = bodies_[body].mass;
+  if (wall) mass = kInfinity;
   return {stages_[body].back().velocity, mass, hit, body};
 }
 
