@@ -241,16 +241,18 @@ class Run {
       expect({{soonest, pair}, false, stages_[a].size(), stages_[b].size()});
   }
 
+  Overlap overlap_of(const IndexPair& pair) const {
+    if (left_alone_.count(pair) > 0) return Overlap::passed;
+    const auto glides = gliding_.find(pair);
+    const bool as_then = glides != gliding_.end() && glides->second == velocities(pair);
+    return as_then ? Overlap::glides : Overlap::meets;
+  }
+
   // Most pairs have changed their ways before it comes to that.
   void look_closely(const Prospect& prospect) {
     const IndexPair pair = prospect.hit.pair;
     const double from = seen_from(pair);
-    const auto glides = gliding_.find(pair);
-    const Overlap overlap = left_alone_.count(pair) > 0 ? Overlap::passed
-                            : glides != gliding_.end() && glides->second == velocities(pair)
-                                ? Overlap::glides
-                                : Overlap::meets;
-    std::optional<Hit> met = pairs_.meeting(pair, from, end_, overlap);
+    std::optional<Hit> met = pairs_.meeting(pair, from, end_, overlap_of(pair));
     if (!met) return;
     met->time += from;
     if (met->time <= while_from_ || met->time > while_to_) return;

@@ -55,7 +55,7 @@ enum class PairSearch : std::uint8_t { near, all };
 ///         events. Bodies that overlap, from time 0 or by rounding, meet at once where they come nearer
 ///         along the shortest way out, marks of time 0 never; else they are left alone until one of
 ///         them changes its way. So are parts that meet at no more than kSlideLeaves of a speed, where that
-///         changes no velocity. All others pass through nothing, however fast.
+///         changes no velocity or time stands still. All others pass through nothing, however fast.
 /// Error   each meeting exact for the doubles at the last event of either; bodies are then placed
 ///         by at + velocity * time, rounded. Momentum and energy to rounding.
 /// Cost    a contact for each pair that comes near; time is cut into whiles in which some of the bodies

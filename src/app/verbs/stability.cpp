@@ -106,7 +106,9 @@ struct Options : StabilityRequest {
     row(kForceRow);
     row_of_threads(row, scene.limits.threads);
     row(kJsonRow);
+    const std::size_t before = row.options().size();
     scene.rows(row);
+    if (row.operand(0).empty()) refuse(row, std::span(row.options()).subspan(before));
     families = pairs ? pair_family_names() : family_names();
     row.read("families", families, names_among("family", families));
     named = row.has("tracer");
@@ -114,6 +116,14 @@ struct Options : StabilityRequest {
   }
 
  private:
+  // Of a scene where there is none, but for what is of every run.
+  static void refuse(OptionTable& row, std::span<const Option> of_scene) {
+    for (const Option& one : of_scene)
+      if (one.name != "quiet" && row.is_asked(one.name))
+        row.problem(one.name, "is about a scene, and none is given",
+                    "leave it out, or name a scene");
+  }
+
   // What stands instead of the families: of a scene, --catalogue, --sweep, --leaks and --pairs one
   // at most.
   void expect_one_thing(OptionTable& row) {
@@ -125,10 +135,6 @@ struct Options : StabilityRequest {
         return row.problem(other, "does not go with " + what, "leave one of them out");
       what = "--" + std::string(other);
     }
-    for (const char* one :
-         {"define", "max-pixels", "max-entities", "max-corners", "max-depth", "max-bytes"})
-      if (!scene_given && row.is_asked(one))
-        row.problem(one, "is about a scene, and none is given", "leave it out, or name a scene");
     if (!leaks && row.has("places")) row.problem("places", "is about --leaks", "leave it out");
     if (what.empty()) return;
     for (const char* other : {"families", "count", "tiers"})
