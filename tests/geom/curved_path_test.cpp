@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "full_counts.h"
 #include "geom/clip.h"
 #include "geom/interval_set.h"
 #include "trace/random_rays.h"
@@ -202,7 +203,7 @@ TEST(CurvedPaths, ASectorAndTheRestAreTheDisc) {
 
 TEST(CurvedPaths, TheWayRoundChangesNothing) {
   RaysOnAGrid rays;
-  for (int i = 0; i < 2000; ++i) {
+  for (std::uint64_t i = 0; i < times(2000); ++i) {
     const Ray ray = rays.next();
     for (const CurvedPath& path : {pill(), three_quarters(), quarter_ring()})
       EXPECT_EQ(clip_path(ray, path), clip_path(ray, reversed(path))) << i;

@@ -139,7 +139,7 @@ void see_filter(Draws& draw, BoundShare& share) {
 TEST(ErrorBounds, OfLanesHold) {
   Draws draw(91);
   Shares shares;
-  for (int count = 20; count < 1000; count += kSanitized ? 100 : 20)
+  for (int count = 20; count < 1000; count += kSanitized ? 240 : 20)
     see_room(Room(draw, count), draw, shares);
   for (std::uint64_t i = 0; i < times(10'000); ++i) see_filter(draw, shares.filter);
   for (const BoundShare& share :

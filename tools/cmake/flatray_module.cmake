@@ -1,9 +1,10 @@
 # A module is one static library; its CMakeLists.txt lists its sources, its modules and its outside libraries. What programs
 # of others include lies in its folder include/, and takes nothing outside the standard library: they link what LIBRARIES
-# names, and do without HEADERS.
+# names, and do without HEADERS. Nothing of a COLD module is in a hot loop: Debug does not optimise it, which takes half the
+# time to compile.
 #   flatray_module(geom SOURCES ray.cpp USES base HEADERS Eigen3::Eigen)
 function(flatray_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES;HEADERS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "COLD" "" "SOURCES;USES;HEADERS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(flatray_${name} STATIC ${arg_SOURCES})
   add_library(flatray::${name} ALIAS flatray_${name})
   target_include_directories(flatray_${name} PUBLIC
@@ -19,7 +20,12 @@ function(flatray_module name)
     PUBLIC ${uses} ${headers} ${libraries}
     PRIVATE $<BUILD_INTERFACE:flatray_options> ${arg_PRIVATE_LIBRARIES})
   target_compile_features(flatray_${name} PUBLIC cxx_std_20)
-  target_precompile_headers(flatray_${name} REUSE_FROM flatray_pch)
+  if(arg_COLD AND CMAKE_BUILD_TYPE STREQUAL "Debug")
+    target_compile_options(flatray_${name} PRIVATE -O0)
+    target_precompile_headers(flatray_${name} REUSE_FROM flatray_unoptimised_pch)
+  else()
+    target_precompile_headers(flatray_${name} REUSE_FROM flatray_pch)
+  endif()
   set_target_properties(flatray_${name} PROPERTIES EXPORT_NAME ${name} UNITY_BUILD_MODE GROUP)
   flatray_unite(own ${arg_SOURCES})
 endfunction()

@@ -57,9 +57,12 @@ find_library(GMP_LIBRARY gmp REQUIRED)
 find_path(SLEEF_INCLUDE_DIR sleef.h REQUIRED)
 find_library(SLEEF_LIBRARY sleef REQUIRED)
 
-# One precompiled header for all modules: what nearly every source includes.
-add_library(flatray_pch STATIC ${PROJECT_SOURCE_DIR}/tools/cmake/pch.cpp)
-target_link_libraries(flatray_pch PUBLIC flatray_options Eigen3::Eigen fmt::fmt tl::expected)
-target_precompile_headers(flatray_pch PRIVATE
-  <algorithm> <array> <cmath> <cstdint> <functional> <memory> <optional> <span> <string>
-  <string_view> <utility> <variant> <vector> <Eigen/Core> <fmt/core.h> <tl/expected.hpp>)
+# One precompiled header for all modules: what nearly every source includes. Debug has another, for those it does not optimise.
+foreach(pch flatray_pch flatray_unoptimised_pch)
+  add_library(${pch} STATIC EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tools/cmake/pch.cpp)
+  target_link_libraries(${pch} PUBLIC flatray_options Eigen3::Eigen fmt::fmt tl::expected)
+  target_precompile_headers(${pch} PRIVATE
+    <algorithm> <array> <cmath> <cstdint> <functional> <memory> <optional> <span> <string>
+    <string_view> <utility> <variant> <vector> <Eigen/Core> <fmt/core.h> <tl/expected.hpp>)
+endforeach()
+target_compile_options(flatray_unoptimised_pch PRIVATE -O0)
