@@ -40,7 +40,8 @@ inline constexpr double kMostGuess = 1 << 30;
 ///         that it ends.
 std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<Rational>& m,
                                                                const std::vector<Rational>& q);
-/// The guess alone, refused beyond kMostGuess. nullopt where it is known to be wrong and the unknowns are few enough for rationals.
+/// The guess alone, refused beyond kMostGuess. nullopt where it is known to be wrong and the unknowns are few enough
+/// for rationals.
 /// Error   that of doubles; which of several z depends on the order of the unknowns.
 /// Cost    linear where columns that have to do with each other are near, some factorings.
 std::optional<Complementarity<double>> solve_complementarity(const Couplings<double>& m,

@@ -51,9 +51,9 @@ enum class PairSearch : std::uint8_t { near, all };
 ///         points and parallel segments none at all. What
 ///         bounces off what stops bounces as off a wall, once that has stopped; a mark pushes nothing.
 ///         Hits at one instant are resolved together, and with them what rests on those hit, instant.h:
-///         velocities do not depend on the order of bodies, but for the limits told in docs/adr/0020. A shorter time gives the first of the same
-///         events. Bodies that overlap, from time 0 or by rounding, meet at once where they come nearer
-///         along the shortest way out, marks of time 0 never; else they are left alone until one of
+///         velocities do not depend on the order of bodies, but for the limits told in docs/adr/0020. A shorter time
+///         gives the first of the same events. Bodies that overlap, from time 0 or by rounding, meet at once where
+///         they come nearer along the shortest way out, marks of time 0 never; else they are left alone until one of
 ///         them changes its way. So are parts that meet at no more than kSlideLeaves of a speed, where that
 ///         changes no velocity or time stands still. All others pass through nothing, however fast.
 /// Error   each meeting exact for the doubles at the last event of either; bodies are then placed

@@ -8,8 +8,8 @@ namespace flatray {
 /// One operation on doubles rounds by a factor 1 + e with |e| at most u.
 inline constexpr double kDoubleError = 0x1p-53;
 
-/// Filter of (b - a) x (d - c) = L - R in lanes, as Terms (geom/enclosure.h) has it. Each difference and each product is off by a
-/// factor 1 + e, |e| <= u, so the rounded products l, r are within (3u + O(u^2)) |l|, |r| of L and
+/// Filter of (b - a) x (d - c) = L - R in lanes, as Terms (geom/enclosure.h) has it. Each difference and each product
+/// is off by a factor 1 + e, |e| <= u, so the rounded products l, r are within (3u + O(u^2)) |l|, |r| of L and
 /// R; the last subtraction keeps the sign of l - r. |l - r| > 4u (|l| + |r|) thus proves the sign:
 /// the spare u covers the second-order terms and the rounding of the bound itself.
 inline constexpr double kDetFilter = 0x1p-51;

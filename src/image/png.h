@@ -70,8 +70,8 @@ class PngEncoder {
 
 /// Reads a PNG of 1 to 4 channels as RGB, or RGBA if it has alpha; colours that its palette lacks are
 /// black.
-/// Error   Trouble::invalid for what is not a whole PNG (checksums included), for an animated one, or above `max_pixels`,
-///         before any large allocation.
+/// Error   Trouble::invalid for what is not a whole PNG (checksums included), for an animated one, or above
+///         `max_pixels`, before any large allocation.
 Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& name,
                          std::uint64_t max_pixels = std::uint64_t{1} << 28);
 Result<Image> read_png(const std::string& path);

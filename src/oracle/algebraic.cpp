@@ -17,8 +17,8 @@ Rational at(const Polynomial& p, const Rational& x) {
   return sum;
 }
 
-// Halving an interval decides most questions within so many steps, or in parts no smaller than this share of it; what is left
-// goes to common divisors and Sturm's chains.
+// Halving an interval decides most questions within so many steps, or in parts no smaller than this share of it; what
+// is left goes to common divisors and Sturm's chains.
 constexpr int kHalved = 32;
 constexpr double kLeastPart = 0x1p-4;
 

@@ -63,7 +63,8 @@ struct Linear {
 };
 
 // A weighted quadratic curve with the control points a, b, c and the weight w of b is where the shares u, v, x
-// of these in a point (which sum to 1) are 0 or more and v^2 = 4 w^2 u x. That difference is negative towards the chord.
+// of these in a point (which sum to 1) are 0 or more and v^2 = 4 w^2 u x. That difference is negative towards the
+// chord.
 std::vector<BezierMeeting> meetings_with_conic(const Ray& ray, const Bezier& curve) {
   const Point way = exact(ray.direction);
   const auto seen = [&](const Vec2& p) { return exact(p) - exact(ray.origin); };

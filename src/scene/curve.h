@@ -9,9 +9,9 @@ namespace flatray {
 /// Value of a curve at `time`: that of its first key before it, of its last key after it.
 ///
 /// Gives   at a key exactly its value, never more than the keys around or less. Linear: in
-///         proportion to time. Step: the value of the last key so far. Smooth: the cubic between two keys with their values and slopes. The
-///         slope is 0 at the first and the last key and where the values turn; at others, between
-///         slopes d, e of the straight lines over times h before and k after it,
+///         proportion to time. Step: the value of the last key so far. Smooth: the cubic between two keys with their
+///         values and slopes. The slope is 0 at the first and the last key and where the values turn; at others,
+///         between slopes d, e of the straight lines over times h before and k after it,
 ///         3 (h + k) / ((h + 2 k) / d + (2 h + k) / e).
 /// Source  Fritsch and Butland 1984, "A method for constructing local monotone piecewise cubic
 ///         interpolants".

@@ -110,10 +110,10 @@ struct OrbitRules {
 /// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end
 ///         of one, is a corner without a bounce; a start along a straight wall ends as `along`. A
 ///         circle reflects on both sides; touched in one point it is passed by, and on its outer side
-///         left from a start on it along its tangent, that of a chamber too. A corner whose walls all absorb absorbs, and so does one at the end of a hole. With 0 bounces only the start is
-///         looked at. Periodic walls are crossed, in a corner of theirs two at a time; with them
-///         every other corner stops. In a field a wall touched in one point is passed by, too, and
-///         one left is met again where the flight comes round to it.
+///         left from a start on it along its tangent, that of a chamber too. A corner whose walls all absorb absorbs,
+///         and so does one at the end of a hole. With 0 bounces only the start is looked at. Periodic walls are
+///         crossed, in a corner of theirs two at a time; with them every other corner stops. In a field a wall
+///         touched in one point is passed by, too, and one left is met again where the flight comes round to it.
 /// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on
 ///         the inner side by at most 2 more; the length of the direction within 4 ulp of the
 ///         start's, after any number of bounces.

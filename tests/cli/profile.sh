@@ -51,6 +51,16 @@ for options in '"define":[]' '"samples":[4,16]' '"backend":["gl","software"]'; d
   run 4 render box.toml -o no.png --profile bad.profile --time 1
   says err "bad.profile:2:1: error: is not a setting of a profile"
 done
+# An error of which no more is known than a bound says so; a profile may say that it is none.
+for at_most in true false; do
+  printf '%s\n' "$(head -1 box.profile)" '{"setting":"s","error":0.5,"seconds":0,"at_most":'$at_most',"options":{}}' > bound.profile
+  run 0 render box.toml -o bound.png --profile bound.profile --time 1
+  [[ $at_most == true ]] && bound="at most " || bound=""
+  says err "profile: s, error ${bound}0.5, 0 s a frame"
+done
+sed 's/"at_most":false/"at_most":1/' bound.profile > bad.profile
+run 4 render box.toml -o no.png --profile bad.profile --time 1
+says err "bad.profile:2:1: error: is not a setting of a profile"
 run 3 render box.toml -o no.png --profile none.profile --time 1
 run 2 render box.toml -o no.png --error 0.1
 says err "needs --profile"

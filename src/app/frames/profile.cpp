@@ -69,11 +69,16 @@ Fields fields_of(const RenderOptions& options) {
 
 // nullopt where it is none.
 std::optional<Way> way_of(const JsonValue& line, const Place& where) {
-  Way way{line.text_of("setting"), 0, 0, line.find("at_most") != nullptr, {}, where};
+  Way way{line.text_of("setting"), 0, 0, false, {}, where};
   const auto error = line.number_of("error"), seconds = line.number_of("seconds");
   const JsonValue* options = line.find("options");
   const auto* fields = options == nullptr ? nullptr : std::get_if<Fields>(&options->data);
   if (way.words.empty() || !error || !seconds || fields == nullptr) return std::nullopt;
+  if (const JsonValue* at_most = line.find("at_most")) {
+    const bool* told = std::get_if<bool>(&at_most->data);
+    if (told == nullptr) return std::nullopt;
+    way.at_most = *told;
+  }
   way.error = *error;
   way.seconds = *seconds;
   for (const auto& [name, value] : *fields) {

@@ -11,8 +11,8 @@ namespace flatray {
 /// the scene.
 ///
 /// Cost    a shape for each key, and where several numbers change, or nothing is there at a key, or the
-///         kind says so (ShapeType), for each frame between the first key and the last: LoadLimits::max_corners corners in all
-///         shapes together.
+///         kind says so (ShapeType), for each frame between the first key and the last: LoadLimits::max_corners
+///         corners in all shapes together.
 std::optional<ShapeId> build_changing_shape(Builder& builder, const ShapeType& type,
                                             const Field& arguments);
 

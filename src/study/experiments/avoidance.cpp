@@ -73,8 +73,10 @@ Result<void> expect_movers(const Scene& scene) {
                 "the first entity is the one that is to choose its velocity");
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
     if (!keeps_velocity(scene, i) || has_parts_left_out(scene.shapes[scene.entities[i].shape]))
-      return fail(scene.entities[i].where, "this entity does not keep one velocity, or has curves",
-                  "avoidance is for polygons, segments and circles in straight motion");
+      return fail(
+          scene.entities[i].where,
+          "this entity moves otherwise than by one velocity, moves in a group, or has curves",
+          "avoidance is for polygons, segments and circles in straight motion");
   return {};
 }
 

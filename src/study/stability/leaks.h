@@ -46,8 +46,8 @@ inline constexpr std::array kLeakCounts = {
 inline constexpr std::uint64_t kRaysALeakBlock = 1024;
 inline constexpr int kLeakBounces = 200;
 
-/// The first `count` of kRaysALeakBlock rays, block `block`, in a convex room of 300 walls, or a circle, with 60 pillars, all mirrors:
-/// each starts inside, exactly towards a vertex or along a tangent of a circle as far as doubles
+/// The first `count` of kRaysALeakBlock rays, block `block`, in a convex room of 300 walls, or a circle, with 60
+/// pillars, all mirrors: each starts inside, exactly towards a vertex or along a tangent of a circle as far as doubles
 /// have the direction, and is reflected kLeakBounces times. Rays of a block are the same for ever.
 ///
 /// Cost    some 2 us a bounce; of `exact` some 60.

@@ -91,5 +91,16 @@ TEST(CollisionExperiments, AnEmptySceneIsNamed) {
   }
 }
 
+TEST(CollisionExperiments, WhatMovesInAGroupIsToldSo) {
+  const std::string box = "shape = { box = { min = [0, 0], max = [1, 1] } }\n";
+  const std::string text =
+      format(refusal("frames = 10\n[[entity]]\nname = 'ship'\nvelocity = [1, 0]\n" + box +
+                         "[[group]]\nname = 'dock'\n[[entity]]\nat = [5, 0]\n"
+                         "velocity = [0, 1]\ngroup = 'dock'\n" +
+                         box,
+                     "avoidance"));
+  EXPECT_NE(text.find("moves in a group"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace flatray

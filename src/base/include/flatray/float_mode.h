@@ -1,7 +1,7 @@
 #pragma once
 
-// Included by base/check.h and, for programs that call the library, by status.h: exact decisions rest on arithmetic as IEEE 754 has it, each operation
-// rounded once to double.
+// Included by base/check.h and, for programs that call the library, by status.h: exact decisions rest on arithmetic
+// as IEEE 754 has it, each operation rounded once to double.
 #if defined(__FAST_MATH__)
 #error "flatray needs IEEE 754 arithmetic: compile without -ffast-math"
 #endif
